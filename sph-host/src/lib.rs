@@ -1,0 +1,1 @@
+//! sph-core on a workstation: allocation, threads, files, pictures.
