@@ -1,0 +1,129 @@
+//! The numbers: what the mathematics asks of them, and nothing more.
+//!
+//! Two traits, because two kinds of number run through the same source. [`Arithmetic`] is what a kernel needs: no
+//! comparison that yields a `bool`, so an array of SIMD lanes satisfies it as well as one number does. [`Scalar`] adds
+//! comparison, the square root and conversions: what searches, sums and solvers need of one number.
+//!
+//! | scalar | where | roots by |
+//! |---|---|---|
+//! | `f32`, `f64` | [`float`] | libm: the same bits on every target |
+//! | `Fast32` | `fast`, feature `micromath` | micromath's approximations, errors documented |
+//! | `Fixed` over the types of the `fixed` crate | `fixed`, feature `fixed` | integer square root |
+//!
+//! A new scalar is one file that implements both traits.
+
+use core::fmt::Debug;
+use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
+
+#[cfg(feature = "micromath")]
+pub mod fast;
+#[cfg(feature = "fixed")]
+pub mod fixed;
+pub mod float;
+
+/// What a kernel's polynomial needs of a number or of an array of lanes.
+///
+/// Nothing here fuses a multiplication with an addition, so every target rounds alike.
+pub trait Arithmetic:
+    Copy
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+    + AddAssign
+    + SubAssign
+{
+    /// 0
+    const ZERO: Self;
+    /// 1
+    const ONE: Self;
+
+    /// The literal `numerator / denominator`, rounded once.
+    fn ratio(numerator: i32, denominator: i32) -> Self;
+
+    /// (x)₊ = max(0, x), without a branch and never −0.
+    fn positive_part(self) -> Self;
+
+    /// n x for a small integer n, which itself need not be representable: 20 x in a type that ends at 8.
+    fn times(self, n: i32) -> Self;
+
+    /// x^N by multiplication, squaring from the top bit of N down: the order of the products is fixed by N.
+    ///
+    /// ```
+    /// use sph_core::Arithmetic;
+    /// assert_eq!(1.5_f32.powi::<3>(), 3.375);
+    /// assert_eq!(7.0_f64.powi::<0>(), 1.0);
+    /// ```
+    #[inline(always)]
+    fn powi<const N: u32>(self) -> Self {
+        const { assert!(N < 64) };
+        if N == 0 {
+            return Self::ONE;
+        }
+        let mut power = self;
+        let mut bit = 31 - N.leading_zeros();
+        while bit > 0 {
+            bit -= 1;
+            power = power * power;
+            if (N >> bit) & 1 == 1 {
+                power = power * self;
+            }
+        }
+        power
+    }
+}
+
+/// One real number: [`Arithmetic`] with comparison, roots and conversions.
+pub trait Scalar: Arithmetic + PartialOrd + Default + Debug + Send + Sync + 'static {
+    /// What a sum over neighbours is gathered in: wider than the type where the type is narrow.
+    type Sum: Accumulator<Self>;
+
+    /// The type's name as users write it, such as `f32` or `i16f16`.
+    const NAME: &'static str;
+    /// The distance from 1 to the next larger number.
+    const EPSILON: Self;
+    /// The largest finite number.
+    const MAX: Self;
+
+    /// The nearest representable number; what is out of range becomes what overflow becomes in this type.
+    fn from_f64(value: f64) -> Self;
+    /// The number as an f64; exact for every type of 53 significant bits or fewer.
+    fn to_f64(self) -> f64;
+    /// √x, and 0 for x < 0 where the type has no NaN.
+    fn sqrt(self) -> Self;
+    /// False for NaN and infinities, and for a fixed-point number that overflowed where the type can tell.
+    fn is_finite(self) -> bool;
+    /// ⌊x⌋ as an integer, held at the ends of `i32`; 0 for NaN.
+    fn floor_to_i32(self) -> i32;
+    /// Bits to compare and hash by: −0 as 0, every NaN alike.
+    fn canonical_bits(self) -> u64;
+
+    /// |x|
+    #[inline(always)]
+    fn abs(self) -> Self {
+        if self < Self::ZERO { -self } else { self }
+    }
+
+    /// The smaller of two; `other` when they do not compare.
+    #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        if self < other { self } else { other }
+    }
+
+    /// The larger of two; `other` when they do not compare.
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        if self > other { self } else { other }
+    }
+}
+
+/// A running sum of many terms.
+pub trait Accumulator<T>: Copy + Send {
+    /// The empty sum.
+    const ZERO: Self;
+    /// Adds one term. Terms are added one by one in the order of the calls.
+    fn add(&mut self, term: T);
+    /// The sum, rounded or saturated to T once.
+    fn total(self) -> T;
+}
