@@ -119,6 +119,17 @@ pub enum Error {
     },
 }
 
+impl Error {
+    /// The same error about element `index`, where the error has one.
+    pub(crate) fn at(self, index: usize) -> Self {
+        match self {
+            Self::NotFinite { parameter, .. } => Self::NotFinite { parameter, index },
+            Self::NotPositive { parameter, .. } => Self::NotPositive { parameter, index },
+            other => other,
+        }
+    }
+}
+
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {

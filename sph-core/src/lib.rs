@@ -1,9 +1,21 @@
 #![no_std]
 #![forbid(unsafe_code)]
 
+pub mod ball;
+mod check;
+pub mod difference;
 pub mod error;
+pub mod influence;
+pub mod kernel;
+pub mod neighbours;
+pub mod quadrature;
 pub mod scalar;
 pub mod vector;
 
 pub use error::{Error, Parameter};
+pub use influence::{ClosureInfluence, Influence, InfluenceOf, KernelInfluence, PerSampleInfluence};
+pub use neighbours::{
+    Axis, BruteForce, CellGrid, CellLayout, Domain, Index, InlineCellGrid, Neighbour, NeighbourList,
+    Neighbours,
+};
 pub use scalar::{Accumulator, Arithmetic, Scalar};

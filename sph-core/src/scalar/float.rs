@@ -114,8 +114,8 @@ mod tests {
 
     #[test]
     fn integer_powers_multiply() {
-        assert_eq!(3.0_f64.powi::<5>(), 243.0);
-        assert_eq!(2.0_f32.powi::<8>(), 256.0);
-        assert_eq!((-1.5_f64).powi::<1>(), -1.5);
+        assert_eq!(3.0_f64.pow::<5>(), 243.0);
+        assert_eq!(2.0_f32.pow::<8>(), 256.0);
+        assert_eq!((-1.5_f64).pow::<1>(), -1.5);
     }
 }

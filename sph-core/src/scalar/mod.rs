@@ -52,11 +52,11 @@ pub trait Arithmetic:
     ///
     /// ```
     /// use sph_core::Arithmetic;
-    /// assert_eq!(1.5_f32.powi::<3>(), 3.375);
-    /// assert_eq!(7.0_f64.powi::<0>(), 1.0);
+    /// assert_eq!(1.5_f32.pow::<3>(), 3.375);
+    /// assert_eq!(7.0_f64.pow::<0>(), 1.0);
     /// ```
     #[inline(always)]
-    fn powi<const N: u32>(self) -> Self {
+    fn pow<const N: u32>(self) -> Self {
         const { assert!(N < 64) };
         if N == 0 {
             return Self::ONE;

@@ -1,0 +1,59 @@
+//! Cubic B-spline M₄, the customary first kernel of SPH.
+//!
+//! ```text
+//! f(q)  =  2 (1 − q)₊³ −  8 (½ − q)₊³
+//! f′(q) = 24 (½ − q)₊² −  6 (1 − q)₊²
+//! ```
+//!
+//! Source: J. J. Monaghan, *Smoothed particle hydrodynamics*, Annu. Rev. Astron. Astrophys. 30 (1992) 543, there with smoothing
+//! length h / 2.
+
+use super::{Kernel, Term};
+use crate::Arithmetic;
+
+/// M₄; formula and source in the [module](self).
+///
+/// ```
+/// use sph_core::kernel::{Kernel, CubicSpline};
+/// assert_eq!(CubicSpline::profile(0.5_f32), 0.25);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct CubicSpline;
+
+impl Kernel for CubicSpline {
+    const SUPPORT_RATIO: (i32, i32) = (2, 1);
+    const TERMS: &'static [Term] = &[Term::new(2.0, 1.0, 3, 0), Term::new(-8.0, 0.5, 3, 0)];
+
+    #[inline(always)]
+    fn profile<T: Arithmetic>(q: T) -> T {
+        let outer = (T::ONE - q).positive_part();
+        let inner = (T::ratio(1, 2) - q).positive_part();
+        outer.pow::<3>().times(2) - inner.pow::<3>().times(8)
+    }
+
+    #[inline(always)]
+    fn slope<T: Arithmetic>(q: T) -> T {
+        let outer = (T::ONE - q).positive_part();
+        let inner = (T::ratio(1, 2) - q).positive_part();
+        inner.pow::<2>().times(24) - outer.pow::<2>().times(6)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::kernel::conformance;
+    use core::f64::consts::PI;
+
+    #[test]
+    fn obeys_the_kernel_laws() {
+        assert_eq!(conformance::check::<CubicSpline, f64>(), Ok(()));
+        assert_eq!(conformance::check::<CubicSpline, f32>(), Ok(()));
+    }
+
+    #[test]
+    fn normalisation_matches_the_literature() {
+        let sigma = [4.0 / 3.0, 40.0 / (7.0 * PI), 8.0 / PI, 1120.0 / (31.0 * PI * PI)];
+        conformance::check_normalisation::<CubicSpline>(&sigma);
+    }
+}

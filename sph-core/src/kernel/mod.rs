@@ -1,0 +1,142 @@
+//! Smoothing kernels as pure functions of q = r / h on [0, 1] (Defs. 1.1 and 1.2).
+//!
+//! A kernel has no dimension and no h in it: `profile` f(q) and `slope` f′(q) are polynomials written with positive parts
+//! (·)₊, so one source serves floats, fixed point and SIMD lanes, without a branch. [`KernelInfluence`] brings h and the
+//! constant σ_D, which follows from the radial moments of f:
+//!
+//! ```text
+//! M_n = ∫₀¹ f(q) q^{n−1} dq        σ_D = 1 / (S_D M_D)        W = σ_D h^{-D} f(q)
+//! ```
+//!
+//! The moments are exact: a kernel lists the [`Term`]s its profile is the sum of, and each term's moment is a beta
+//! function. A kernel that lists none is integrated by [`quadrature`](crate::quadrature).
+//!
+//! | kernel | source | support / smoothing length |
+//! |---|---|---|
+//! | [`Poly6`], [`Spiky`], [`Viscosity`] | Müller, Charypar, Gross, SCA 2003 | 1 |
+//! | [`CubicSpline`] M₄, [`QuarticSpline`] M₅, [`QuinticSpline`] M₆ | Monaghan 1992; Price 2012 | 2, 5/2, 3 |
+//! | [`WendlandC2`], [`WendlandC4`], [`WendlandC6`] | Wendland 1995; Dehnen & Aly 2012 | 2 |
+//!
+//! [`KernelInfluence`]: crate::KernelInfluence
+
+mod cubic_spline;
+mod moment;
+mod poly6;
+mod quartic_spline;
+mod quintic_spline;
+mod spiky;
+mod viscosity;
+mod wendland_c2;
+mod wendland_c4;
+mod wendland_c6;
+
+pub mod conformance;
+
+pub use cubic_spline::CubicSpline;
+pub(crate) use moment::Constants;
+pub use moment::{Term, normalisation, radial_moment, second_moment};
+pub use poly6::Poly6;
+pub use quartic_spline::QuarticSpline;
+pub use quintic_spline::QuinticSpline;
+pub use spiky::Spiky;
+pub use viscosity::{Viscosity, ViscosityLaplacian};
+pub use wendland_c2::WendlandC2;
+pub use wendland_c4::WendlandC4;
+pub use wendland_c6::WendlandC6;
+
+use crate::vector::scale;
+use crate::{Arithmetic, Scalar};
+
+/// A smoothing kernel ω by its shape f(q) = ω(h, q h) / ω-unit: continuous, non-negative, zero for q ≥ 1 (Def. 1.1).
+///
+/// `profile` and `slope` are all that a kernel must bring; [`conformance::check`] tests the laws. The smallest one:
+///
+/// ```
+/// use sph_core::{Arithmetic, KernelInfluence, kernel::Kernel};
+///
+/// #[derive(Clone, Copy, Debug)]
+/// struct Cone;
+/// impl Kernel for Cone {
+///     fn profile<T: Arithmetic>(q: T) -> T {
+///         (T::ONE - q).positive_part()
+///     }
+///     fn slope<T: Arithmetic>(_: T) -> T {
+///         -T::ONE
+///     }
+/// }
+/// // σ₂ = 3/π by quadrature
+/// let cone = KernelInfluence::<f64, 2, Cone>::new(1.0).unwrap();
+/// assert!((cone.normalisation() - 3.0 / core::f64::consts::PI).abs() < 1e-14);
+/// ```
+pub trait Kernel: Copy + core::fmt::Debug + Send + Sync + 'static {
+    /// Support radius / smoothing length of the field's custom, as a fraction.
+    const SUPPORT_RATIO: (i32, i32) = (1, 1);
+    /// The terms that sum to f, for exact moments; none: moments by quadrature.
+    const TERMS: &'static [Term] = &[];
+    /// The terms of the form used in one dimension, where that is another.
+    const TERMS_IN_1D: &'static [Term] = Self::TERMS;
+    /// Whether f diverges at q = 0, which forbids densities and interpolation.
+    const SINGULAR: bool = false;
+    /// The raw form ω(h, r) is h^p f(r/h); this is p. 6 for poly6, whose raw form is (h² − r²)³.
+    const RAW_POWER: u32 = 0;
+
+    /// f(q) for q ≥ 0, without unit.
+    fn profile<T: Arithmetic>(q: T) -> T;
+
+    /// f′(q), signed: never positive. Only its values on [0, 1] count.
+    fn slope<T: Arithmetic>(q: T) -> T;
+
+    /// f in one dimension, where that has another form (Wendland's functions).
+    #[inline(always)]
+    fn profile_in_1d<T: Arithmetic>(q: T) -> T {
+        Self::profile(q)
+    }
+
+    /// f′ in one dimension.
+    #[inline(always)]
+    fn slope_in_1d<T: Arithmetic>(q: T) -> T {
+        Self::slope(q)
+    }
+
+    /// f(√s) for s = q² in [0, 1]; a kernel that is a polynomial of q² needs no root.
+    #[inline(always)]
+    fn profile_of_square<T: Scalar, const D: usize>(s: T) -> T {
+        let q = s.sqrt();
+        if D == 1 { Self::profile_in_1d(q) } else { Self::profile(q) }
+    }
+
+    /// f′(q) û with u = x/h, s = |u|² in [0, 1]; zero at u = 0. A kernel whose f′(q)/q has no pole needs no division.
+    #[inline(always)]
+    fn slope_vector<T: Scalar, const D: usize>(u: &[T; D], s: T) -> [T; D] {
+        let q = s.sqrt();
+        if q == T::ZERO {
+            return [T::ZERO; D];
+        }
+        let slope = if D == 1 { Self::slope_in_1d(q) } else { Self::slope(q) };
+        scale(&u.map(|component| component / q), slope)
+    }
+
+    /// f(√s) and f′(q) û together, sharing what they share.
+    #[inline(always)]
+    fn profile_and_slope_vector<T: Scalar, const D: usize>(u: &[T; D], s: T) -> (T, [T; D]) {
+        (Self::profile_of_square::<T, D>(s), Self::slope_vector(u, s))
+    }
+
+    /// The raw form ω(h, r) of Def. 1.1, zero for r > h: h^p f(r/h) (Ex. 1.3 for [`Poly6`]).
+    ///
+    /// ```
+    /// use sph_core::kernel::{Kernel, Poly6};
+    /// assert_eq!(Poly6::raw(2.0_f64, 1.0), 27.0); // (h² − r²)³
+    /// assert_eq!(Poly6::raw(2.0_f64, 2.5), 0.0);
+    /// ```
+    fn raw<T: Scalar>(support_radius: T, r: T) -> T {
+        if r > support_radius {
+            return T::ZERO;
+        }
+        let mut unit = T::ONE;
+        for _ in 0..Self::RAW_POWER {
+            unit = unit * support_radius;
+        }
+        unit * Self::profile(r / support_radius)
+    }
+}

@@ -1,0 +1,69 @@
+//! Quartic B-spline M₅.
+//!
+//! ```text
+//! f(q)  =    (1 − q)₊⁴ −  5 (3/5 − q)₊⁴ + 10 (1/5 − q)₊⁴
+//! f′(q) = −4 (1 − q)₊³ + 20 (3/5 − q)₊³ − 40 (1/5 − q)₊³
+//! ```
+//!
+//! Source: D. J. Price, *Smoothed particle hydrodynamics and magnetohydrodynamics*, J. Comput. Phys. 231 (2012) 759, there with
+//! smoothing length 2h / 5.
+
+use super::{Kernel, Term};
+use crate::Arithmetic;
+
+/// M₅; formula and source in the [module](self).
+///
+/// ```
+/// use sph_core::kernel::{Kernel, QuarticSpline};
+/// assert_eq!(QuarticSpline::profile(1.0_f32), 0.0);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct QuarticSpline;
+
+impl Kernel for QuarticSpline {
+    const SUPPORT_RATIO: (i32, i32) = (5, 2);
+    const TERMS: &'static [Term] =
+        &[Term::new(1.0, 1.0, 4, 0), Term::new(-5.0, 0.6, 4, 0), Term::new(10.0, 0.2, 4, 0)];
+
+    #[inline(always)]
+    fn profile<T: Arithmetic>(q: T) -> T {
+        let [outer, middle, inner] = edges(q);
+        outer.pow::<4>() - middle.pow::<4>().times(5) + inner.pow::<4>().times(10)
+    }
+
+    #[inline(always)]
+    fn slope<T: Arithmetic>(q: T) -> T {
+        let [outer, middle, inner] = edges(q);
+        middle.pow::<3>().times(20) - outer.pow::<3>().times(4) - inner.pow::<3>().times(40)
+    }
+}
+
+/// The distances to the three joints, cut at zero.
+#[inline(always)]
+fn edges<T: Arithmetic>(q: T) -> [T; 3] {
+    [T::ONE, T::ratio(3, 5), T::ratio(1, 5)].map(|edge| (edge - q).positive_part())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::kernel::conformance;
+    use core::f64::consts::PI;
+
+    #[test]
+    fn obeys_the_kernel_laws() {
+        assert_eq!(conformance::check::<QuarticSpline, f64>(), Ok(()));
+        assert_eq!(conformance::check::<QuarticSpline, f32>(), Ok(()));
+    }
+
+    #[test]
+    fn normalisation_matches_the_literature() {
+        let sigma = [
+            3125.0 / 768.0,
+            46875.0 / (2398.0 * PI),
+            15625.0 / (512.0 * PI),
+            5468750.0 / (35783.0 * PI * PI),
+        ];
+        conformance::check_normalisation::<QuarticSpline>(&sigma);
+    }
+}

@@ -1,0 +1,135 @@
+//! How space ends along each axis.
+
+use crate::{Error, Parameter, Scalar, check};
+
+/// One axis of a [`Domain`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Axis<T> {
+    /// Open on both sides. Samples may lie anywhere.
+    Open,
+    /// Periodic from `lower` with period `length`: x and x + `length` are the same point.
+    Periodic {
+        /// Where the period starts.
+        lower: T,
+        /// The period.
+        length: T,
+    },
+}
+
+/// D axes, each open or periodic.
+///
+/// On a periodic axis samples lie in [lower, lower + length), checked when a search is made; [`wrap`](Self::wrap) brings them
+/// there. A query may lie anywhere. Every image x_j + k · length within the radius counts, however large the radius; the
+/// image's position is rounded once, so a search with periodic axes gives the very bits of one over an explicit copy of the
+/// images.
+///
+/// ```
+/// use sph_core::Domain;
+/// let tube = Domain::<f32, 2>::open().periodic(0, 0.0, 1.0)?; // periodic along x, open along y
+/// assert_eq!(tube.wrap(&[1.25, 7.0]), [0.25, 7.0]);
+/// # Ok::<(), sph_core::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Domain<T, const D: usize> {
+    axes: [Axis<T>; D],
+}
+
+impl<T: Scalar, const D: usize> Domain<T, D> {
+    /// Open along every axis.
+    pub const fn open() -> Self {
+        Self { axes: [Axis::Open; D] }
+    }
+
+    /// The same domain, but periodic along `axis`.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] for bounds that are not, [`Error::NotPositive`] unless lower < upper and `axis` < D; both with
+    /// the axis as index.
+    pub fn periodic(mut self, axis: usize, lower: T, upper: T) -> Result<Self, Error> {
+        check::finite(lower, Parameter::Axis, axis)?;
+        check::finite(upper, Parameter::Axis, axis)?;
+        let length = upper - lower;
+        check::positive(length, Parameter::Axis, axis)?;
+        let slot =
+            self.axes.get_mut(axis).ok_or(Error::NotPositive { parameter: Parameter::Axis, index: axis })?;
+        *slot = Axis::Periodic { lower, length };
+        Ok(self)
+    }
+
+    /// The axes.
+    pub const fn axes(&self) -> &[Axis<T>; D] {
+        &self.axes
+    }
+
+    /// The image of x that lies in [lower, lower + length) along every periodic axis.
+    pub fn wrap(&self, x: &[T; D]) -> [T; D] {
+        core::array::from_fn(|axis| wrap_along(&self.axes[axis], x[axis]))
+    }
+
+    /// Every coordinate is finite, and inside on periodic axes.
+    pub(super) fn check(&self, positions: &[[T; D]]) -> Result<(), Error> {
+        for (index, position) in positions.iter().enumerate() {
+            for (axis, (&coordinate, kind)) in position.iter().zip(&self.axes).enumerate() {
+                check::finite(coordinate, Parameter::Position, index)?;
+                if !is_inside(kind, coordinate) {
+                    return Err(Error::OutsideDomain { index, axis });
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+/// x_j + k · length, rounded once more than x_j was; x_j itself for k = 0.
+#[inline(always)]
+pub(super) fn image<T: Scalar>(kind: &Axis<T>, coordinate: T, k: i32) -> T {
+    match *kind {
+        Axis::Periodic { length, .. } if k != 0 => coordinate + length.times(k),
+        _ => coordinate,
+    }
+}
+
+fn is_inside<T: Scalar>(kind: &Axis<T>, coordinate: T) -> bool {
+    match *kind {
+        Axis::Open => true,
+        Axis::Periodic { lower, length } => coordinate >= lower && coordinate < lower + length,
+    }
+}
+
+#[inline(always)]
+fn wrap_along<T: Scalar>(kind: &Axis<T>, coordinate: T) -> T {
+    let Axis::Periodic { lower, length } = *kind else { return coordinate };
+    if is_inside(kind, coordinate) {
+        return coordinate;
+    }
+    let periods = ((coordinate - lower) / length).floor_to_i32();
+    let wrapped = coordinate - length.times(periods);
+    // Rounding may leave it on the upper end, which is the lower one.
+    if is_inside(kind, wrapped) { wrapped } else { lower }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn wraps_into_the_half_open_period() {
+        let domain = Domain::<f64, 1>::open().periodic(0, -1.0, 2.0).unwrap();
+        for (x, wrapped) in [(-1.0, -1.0), (2.0, -1.0), (0.5, 0.5), (-4.5, 1.5), (8.25, -0.75)] {
+            assert_eq!(domain.wrap(&[x]), [wrapped], "{x}");
+        }
+        let tiny = domain.wrap(&[-1.0 - 1e-300])[0];
+        assert!((-1.0..2.0).contains(&tiny));
+    }
+
+    #[test]
+    fn refuses_bounds_that_are_no_period() {
+        let open = Domain::<f32, 2>::open();
+        let error = |index| Err(Error::NotPositive { parameter: Parameter::Axis, index });
+        assert_eq!(open.periodic(1, 1.0, 1.0), error(1));
+        assert_eq!(open.periodic(2, 0.0, 1.0), error(2));
+        assert!(matches!(open.periodic(0, f32::NAN, 1.0), Err(Error::NotFinite { .. })));
+    }
+}

@@ -1,0 +1,194 @@
+//! How a [`CellGrid`](super::CellGrid) divides space: the cell of every point, and the cells in reach of one.
+//!
+//! The cell of a coordinate is ⌊(x − origin) / cell size⌋. Rounding is monotone, so for |x − x_j| < r the cell of x_j lies
+//! between those of x − r and x + r as computed, whatever the rounding: no sample is missed, and cells need no margin.
+
+use core::num::NonZeroU32;
+
+use super::axis::{Axis, Domain};
+use crate::{Error, Parameter, Scalar, check};
+
+/// How many cells along one axis, how wide, and what happens outside of them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub(super) struct CellAxis<T> {
+    origin: T,
+    inverse_size: T,
+    pub(super) count: NonZeroU32,
+    ends: Ends,
+}
+
+/// What lies beyond the cells of an axis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+enum Ends {
+    /// The outermost cells hold what lies beyond them.
+    Clamped,
+    /// Cells repeat for ever; each holds the samples of all its repetitions.
+    Repeated,
+    /// Cells repeat as images of the same samples.
+    Periodic,
+}
+
+/// Cells beyond this number are one: it keeps sums of cell numbers within i32, and rounding stays monotone.
+const FARTHEST: i32 = 1 << 30;
+
+impl<T: Scalar> CellAxis<T> {
+    /// The cell number of a coordinate, before its ends are looked at.
+    #[inline(always)]
+    fn raw(&self, coordinate: T) -> i32 {
+        ((coordinate - self.origin) * self.inverse_size).floor_to_i32().clamp(-FARTHEST, FARTHEST)
+    }
+
+    /// The first and last cell number in reach of a coordinate; each number in between is one visit.
+    #[inline(always)]
+    pub(super) fn range(&self, coordinate: T, radius: T) -> (i32, i32) {
+        let (first, last) = (self.raw(coordinate - radius), self.raw(coordinate + radius));
+        let count = self.count.get() as i32;
+        match self.ends {
+            Ends::Clamped => (first.clamp(0, count - 1), last.clamp(0, count - 1)),
+            Ends::Repeated => (first, last.min(first.saturating_add(count - 1))),
+            // An image is rounded once more than its sample was, which may move it by a cell.
+            Ends::Periodic => {
+                (if first < 0 { first - 1 } else { first }, if last >= count { last + 1 } else { last })
+            }
+        }
+    }
+
+    /// The stored cell that a cell number of [`range`](Self::range) stands for, and the image k of its samples.
+    #[inline(always)]
+    pub(super) fn locate(&self, number: i32) -> (u32, i32) {
+        let count = self.count;
+        if number >= 0 && (number as u32) < count.get() {
+            return (number as u32, 0);
+        }
+        // floor division and remainder by an unsigned divisor that is never zero
+        let (quotient, remainder) = if number >= 0 {
+            ((number as u32 / count) as i32, number as u32 % count)
+        } else {
+            let below = !(number as u32); // −number − 1
+            (-1 - (below / count) as i32, count.get() - 1 - below % count)
+        };
+        (remainder, if self.ends == Ends::Periodic { quotient } else { 0 })
+    }
+
+    /// The stored cell that a sample belongs to.
+    #[inline(always)]
+    fn cell(&self, coordinate: T) -> u32 {
+        let number = self.raw(coordinate);
+        match self.ends {
+            Ends::Repeated => self.locate(number).0,
+            Ends::Clamped | Ends::Periodic => number.clamp(0, self.count.get() as i32 - 1) as u32,
+        }
+    }
+}
+
+/// The cells of a grid: `counts` along each axis, first axis fastest.
+///
+/// ```
+/// use sph_core::{CellLayout, Domain};
+/// // a box 2 × 1 in cells of 0.1; points beyond it belong to the outermost cells
+/// let layout = CellLayout::<f32, 2>::bounded(&[0.0, 0.0], &[2.0, 1.0], [20, 10])?;
+/// assert_eq!(layout.cells(), 200);
+/// // all of space in 8 × 8 cells that repeat
+/// let layout = CellLayout::<f32, 2>::unbounded(0.1, [8, 8])?;
+/// assert_eq!(layout.cells(), 64);
+/// # Ok::<(), sph_core::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct CellLayout<T, const D: usize> {
+    pub(super) axes: [CellAxis<T>; D],
+    pub(super) domain: Domain<T, D>,
+}
+
+impl<T: Scalar, const D: usize> CellLayout<T, D> {
+    /// Cells between two corners of a box, in open space: what lies outside the box is kept in the outermost cells.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] or [`Error::NotPositive`] with the axis, unless lower < upper and counts > 0;
+    /// [`Error::NotRepresentable`] where 1 / cell size or the number of cells is not.
+    pub fn bounded(lower: &[T; D], upper: &[T; D], counts: [u32; D]) -> Result<Self, Error> {
+        let mut axes = [Self::unit_axis(); D];
+        for (axis, slot) in axes.iter_mut().enumerate() {
+            check::finite(lower[axis], Parameter::Axis, axis)?;
+            *slot = Self::axis(axis, lower[axis], upper[axis] - lower[axis], counts[axis], Ends::Clamped)?;
+        }
+        Self::checked(axes, Domain::open())
+    }
+
+    /// Cells of one size that repeat in all directions: no bounds, and no sample is seen twice.
+    ///
+    /// # Errors
+    /// As [`bounded`](Self::bounded), for the cell size.
+    pub fn unbounded(cell_size: T, counts: [u32; D]) -> Result<Self, Error> {
+        let mut axes = [Self::unit_axis(); D];
+        for (axis, slot) in axes.iter_mut().enumerate() {
+            *slot = Self::axis(
+                axis,
+                T::ZERO,
+                cell_size.times(counts[axis].min(1 << 20) as i32),
+                counts[axis],
+                Ends::Repeated,
+            )?;
+        }
+        Self::checked(axes, Domain::open())
+    }
+
+    /// The same layout, but periodic along `axis`, its `counts` cells dividing the period.
+    ///
+    /// # Errors
+    /// As [`Domain::periodic`] and [`bounded`](Self::bounded).
+    pub fn periodic(mut self, axis: usize, lower: T, upper: T) -> Result<Self, Error> {
+        self.domain = self.domain.periodic(axis, lower, upper)?;
+        if let Some(slot) = self.axes.get_mut(axis) {
+            *slot = Self::axis(axis, lower, upper - lower, slot.count.get(), Ends::Periodic)?;
+        }
+        Ok(self)
+    }
+
+    const fn unit_axis() -> CellAxis<T> {
+        CellAxis { origin: T::ZERO, inverse_size: T::ONE, count: NonZeroU32::MIN, ends: Ends::Clamped }
+    }
+
+    fn axis(axis: usize, origin: T, length: T, count: u32, ends: Ends) -> Result<CellAxis<T>, Error> {
+        check::positive(length, Parameter::Axis, axis)?;
+        let wrong_count = Error::NotPositive { parameter: Parameter::Cells, index: axis };
+        let count = NonZeroU32::new(count).ok_or(wrong_count)?;
+        if count.get() > 1 << 20 {
+            return Err(Error::CapacityExceeded {
+                parameter: Parameter::Cells,
+                capacity: 1 << 20,
+                needed: count.get() as usize,
+            });
+        }
+        let inverse_size = T::ONE.times(count.get() as i32) / length;
+        check::representable(inverse_size, Parameter::Axis)?;
+        Ok(CellAxis { origin, inverse_size, count, ends })
+    }
+
+    fn checked(axes: [CellAxis<T>; D], domain: Domain<T, D>) -> Result<Self, Error> {
+        let total =
+            axes.iter().try_fold(1_usize, |product, axis| product.checked_mul(axis.count.get() as usize));
+        match total {
+            Some(_) => Ok(Self { axes, domain }),
+            None => Err(Error::NotRepresentable { parameter: Parameter::Cells }),
+        }
+    }
+
+    /// The number of cells in all.
+    pub fn cells(&self) -> usize {
+        self.axes.iter().fold(1, |product: usize, axis| product.wrapping_mul(axis.count.get() as usize))
+    }
+
+    /// The number of the cell that a sample at x belongs to.
+    #[inline(always)]
+    pub(super) fn cell_of(&self, x: &[T; D]) -> usize {
+        let mut cell = 0_usize;
+        for axis in (0..D).rev() {
+            let along = &self.axes[axis];
+            cell = cell.wrapping_mul(along.count.get() as usize).wrapping_add(along.cell(x[axis]) as usize);
+        }
+        cell
+    }
+}
