@@ -5,7 +5,7 @@
 
 use core::num::NonZeroU32;
 
-use super::axis::{Axis, Domain};
+use super::Domain;
 use crate::{Error, Parameter, Scalar, check};
 
 /// How many cells along one axis, how wide, and what happens outside of them.
@@ -32,6 +32,9 @@ enum Ends {
 
 /// Cells beyond this number are one: it keeps sums of cell numbers within i32, and rounding stays monotone.
 const FARTHEST: i32 = 1 << 30;
+
+/// The most cells along one axis.
+const MOST_CELLS: u32 = 1 << 20;
 
 impl<T: Scalar> CellAxis<T> {
     /// The cell number of a coordinate, before its ends are looked at.
@@ -112,7 +115,8 @@ impl<T: Scalar, const D: usize> CellLayout<T, D> {
         let mut axes = [Self::unit_axis(); D];
         for (axis, slot) in axes.iter_mut().enumerate() {
             check::finite(lower[axis], Parameter::Axis, axis)?;
-            *slot = Self::axis(axis, lower[axis], upper[axis] - lower[axis], counts[axis], Ends::Clamped)?;
+            let length = upper[axis] - lower[axis];
+            *slot = Self::dividing(axis, lower[axis], length, counts[axis], Ends::Clamped)?;
         }
         Self::checked(axes, Domain::open())
     }
@@ -124,13 +128,8 @@ impl<T: Scalar, const D: usize> CellLayout<T, D> {
     pub fn unbounded(cell_size: T, counts: [u32; D]) -> Result<Self, Error> {
         let mut axes = [Self::unit_axis(); D];
         for (axis, slot) in axes.iter_mut().enumerate() {
-            *slot = Self::axis(
-                axis,
-                T::ZERO,
-                cell_size.times(counts[axis].min(1 << 20) as i32),
-                counts[axis],
-                Ends::Repeated,
-            )?;
+            check::positive(cell_size, Parameter::Axis, axis)?;
+            *slot = Self::axis(axis, T::ZERO, T::ONE / cell_size, counts[axis], Ends::Repeated)?;
         }
         Self::checked(axes, Domain::open())
     }
@@ -142,7 +141,7 @@ impl<T: Scalar, const D: usize> CellLayout<T, D> {
     pub fn periodic(mut self, axis: usize, lower: T, upper: T) -> Result<Self, Error> {
         self.domain = self.domain.periodic(axis, lower, upper)?;
         if let Some(slot) = self.axes.get_mut(axis) {
-            *slot = Self::axis(axis, lower, upper - lower, slot.count.get(), Ends::Periodic)?;
+            *slot = Self::dividing(axis, lower, upper - lower, slot.count.get(), Ends::Periodic)?;
         }
         Ok(self)
     }
@@ -151,18 +150,19 @@ impl<T: Scalar, const D: usize> CellLayout<T, D> {
         CellAxis { origin: T::ZERO, inverse_size: T::ONE, count: NonZeroU32::MIN, ends: Ends::Clamped }
     }
 
-    fn axis(axis: usize, origin: T, length: T, count: u32, ends: Ends) -> Result<CellAxis<T>, Error> {
+    /// `count` cells that divide `length`.
+    fn dividing(axis: usize, origin: T, length: T, count: u32, ends: Ends) -> Result<CellAxis<T>, Error> {
         check::positive(length, Parameter::Axis, axis)?;
-        let wrong_count = Error::NotPositive { parameter: Parameter::Cells, index: axis };
-        let count = NonZeroU32::new(count).ok_or(wrong_count)?;
-        if count.get() > 1 << 20 {
-            return Err(Error::CapacityExceeded {
-                parameter: Parameter::Cells,
-                capacity: 1 << 20,
-                needed: count.get() as usize,
-            });
+        Self::axis(axis, origin, (T::ONE / length).times(count.min(MOST_CELLS) as i32), count, ends)
+    }
+
+    fn axis(axis: usize, origin: T, inverse_size: T, count: u32, ends: Ends) -> Result<CellAxis<T>, Error> {
+        let parameter = Parameter::Cells;
+        let count = NonZeroU32::new(count).ok_or(Error::NotPositive { parameter, index: axis })?;
+        if count.get() > MOST_CELLS {
+            let (capacity, needed) = (MOST_CELLS as usize, count.get() as usize);
+            return Err(Error::CapacityExceeded { parameter, capacity, needed });
         }
-        let inverse_size = T::ONE.times(count.get() as i32) / length;
         check::representable(inverse_size, Parameter::Axis)?;
         Ok(CellAxis { origin, inverse_size, count, ends })
     }
