@@ -1,0 +1,73 @@
+//! ρ(x) = Σ m_j W(x − x_j), the sample itself included (Thm 3.2), and V_j = m_j / ρ_j.
+
+use super::Quantity;
+use crate::samples::check_length;
+use crate::{Error, Influence, InfluenceOf, Neighbours, Parameter, PerSample, Scalar, Sources, check};
+
+impl<T: Scalar, const D: usize, N: Neighbours<T, D>, M: PerSample<T>> Sources<T, D, N, M> {
+    /// ρ(x) = Σ m_j W(x − x_j), units M L^{-D}. With volumes as weights it is Σ V_j W, near 1 inside the samples.
+    pub fn density_at(&self, w: impl InfluenceOf<T, D>, x: &[T; D]) -> T {
+        let mut sum = <T as Quantity<T>>::EMPTY;
+        self.for_each(w, x, |neighbour, mass, influence| {
+            mass.add_to(&mut sum, influence.influence(neighbour.distance_squared));
+        });
+        T::total(sum)
+    }
+
+    /// ρ(x) and ∇ρ(x) = Σ m_j ∇W(x − x_j), units M L^{-D} and M L^{-D-1}.
+    pub fn density_gradient_at(&self, w: impl InfluenceOf<T, D>, x: &[T; D]) -> (T, [T; D]) {
+        let (mut density, mut gradient) = (<T as Quantity<T>>::EMPTY, <[T; D] as Quantity<T>>::EMPTY);
+        self.for_each(w, x, |neighbour, mass, influence| {
+            let (w, slope) = influence.both(&neighbour.offset, neighbour.distance_squared);
+            mass.add_to(&mut density, w);
+            slope.add_to(&mut gradient, mass);
+        });
+        (T::total(density), <[T; D]>::total(gradient))
+    }
+
+    /// ρ_i at every sample, written to `density`.
+    ///
+    /// # Errors
+    /// [`Error::LengthMismatch`] unless `density` has one place for each sample.
+    ///
+    /// ```
+    /// use sph_core::{BruteForce, KernelInfluence, Sources, kernel::Poly6};
+    /// let sources = Sources::new(BruteForce::new(&[[0.0_f32, 0.0], [9.0, 0.0]])?, &[2.0, 1.0])?;
+    /// let w = KernelInfluence::<f32, 2, Poly6>::new(1.0)?;
+    /// let mut density = [0.0; 2];
+    /// sources.density(&w, &mut density)?;
+    /// assert_eq!(density[0], 2.0 * w.normalisation());
+    /// assert_eq!(density[1], w.normalisation());
+    /// # Ok::<(), sph_core::Error>(())
+    /// ```
+    pub fn density(&self, w: impl InfluenceOf<T, D>, density: &mut [T]) -> Result<(), Error> {
+        check::length(density.len(), self.positions().len(), Parameter::Output)?;
+        for (out, x) in density.iter_mut().zip(self.positions()) {
+            *out = self.density_at(w, x);
+        }
+        Ok(())
+    }
+}
+
+/// V_j = m_j / ρ_j, units L^D: the weights of a [`Field`](super::Field).
+///
+/// # Errors
+/// [`Error::LengthMismatch`] unless all three have one length; [`Error::NotFinite`] or [`Error::NotPositive`] with the index of
+/// a density that is not so.
+///
+/// ```
+/// let mut volumes = [0.0; 2];
+/// sph_core::field::volumes(&[2.0, 3.0], &[4.0, 1.0], &mut volumes)?;
+/// assert_eq!(volumes, [0.5, 3.0]);
+/// # Ok::<(), sph_core::Error>(())
+/// ```
+pub fn volumes<T: Scalar>(masses: impl PerSample<T>, density: &[T], volumes: &mut [T]) -> Result<(), Error> {
+    check_length(&masses, density.len(), Parameter::Mass)?;
+    check::length(volumes.len(), density.len(), Parameter::Output)?;
+    for (j, (volume, &density)) in volumes.iter_mut().zip(density).enumerate() {
+        check::positive(density, Parameter::Density, j)?;
+        *volume = masses.get(j).unwrap_or(T::ZERO) / density;
+        check::representable(*volume, Parameter::Volume)?;
+    }
+    Ok(())
+}

@@ -1,0 +1,31 @@
+//! A(x) = Σ V_j A_j W(x − x_j) (Def. 3.1), V_j = m_j / ρ_j.
+
+use super::{Field, Quantity};
+use crate::{Influence, InfluenceOf, Neighbours, PerSample, Scalar};
+
+impl<T: Scalar, const D: usize, N: Neighbours<T, D>, M: PerSample<T>, V> Field<'_, T, D, N, M, V> {
+    /// A(x) in the unit of A, for scalar or vector values; zero where no sample is in reach.
+    ///
+    /// ```
+    /// use sph_core::{BruteForce, Field, KernelInfluence, Sources, Uniform, kernel::CubicSpline};
+    /// let positions = [[0.0_f64], [1.0], [2.0], [3.0], [4.0]];
+    /// let volumes = Sources::new(BruteForce::new(&positions)?, Uniform(1.0))?;
+    /// let velocity = Field::new(&volumes, Uniform([3.0, -1.0]))?;
+    /// let w = KernelInfluence::<f64, 1, CubicSpline>::new(2.0)?;
+    /// let [u, v] = velocity.interpolate_at(&w, &[2.0]);
+    /// assert!((u - 3.0).abs() < 1e-12 && (v + 1.0).abs() < 1e-12);
+    /// # Ok::<(), sph_core::Error>(())
+    /// ```
+    pub fn interpolate_at<Q: Quantity<T>>(&self, w: impl InfluenceOf<T, D>, x: &[T; D]) -> Q
+    where
+        V: PerSample<Q>,
+    {
+        let mut sum = Q::EMPTY;
+        self.sources.for_each(w, x, |neighbour, volume, influence| {
+            if let Some(value) = self.values.get(neighbour.index) {
+                value.add_to(&mut sum, volume * influence.influence(neighbour.distance_squared));
+            }
+        });
+        Q::total(sum)
+    }
+}
