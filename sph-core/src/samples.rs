@@ -93,7 +93,13 @@ impl<T: Scalar, const D: usize, N: Neighbours<T, D>, M: PerSample<T>> Sources<T,
                 check::positive(weight, Parameter::Mass, index)?;
             }
         }
-        Ok(Self { search, weights, scalar: PhantomData })
+        Ok(Self::assume_checked(search, weights))
+    }
+
+    /// As [`new`](Self::new) for weights that were checked before, at no cost: one set of weights, many searches. A sample
+    /// without a weight is left out of the sums.
+    pub fn assume_checked(search: N, weights: M) -> Self {
+        Self { search, weights, scalar: PhantomData }
     }
 
     /// The samples' positions.

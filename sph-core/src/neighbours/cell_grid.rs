@@ -44,11 +44,12 @@ impl<'a, T: Scalar, I: Index, const D: usize> CellGrid<'a, T, I, D> {
         entries: &'a mut [I],
     ) -> Result<Self, Error> {
         sort(&layout, positions, starts, entries)?;
-        Ok(Self::sorted(layout, positions, starts, entries))
+        Ok(Self::from_sorted(layout, positions, starts, entries))
     }
 
-    /// The view over slices that [`sort`] has filled for these positions.
-    pub(super) fn sorted(
+    /// The search over slices that [`build`](Self::build) has filled for these positions and this layout. Slices that it has
+    /// not filled give a search that misses samples, nothing worse.
+    pub fn from_sorted(
         layout: CellLayout<T, D>,
         positions: &'a [[T; D]],
         starts: &'a [I],

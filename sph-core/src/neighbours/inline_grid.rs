@@ -42,7 +42,7 @@ impl<I: Index, const STARTS: usize, const CAP: usize> InlineCellGrid<I, STARTS, 
         positions: &'a [[T; D]],
     ) -> Result<CellGrid<'a, T, I, D>, Error> {
         cell_grid::sort(&layout, positions, &mut self.starts, &mut self.entries)?;
-        Ok(CellGrid::sorted(layout, positions, &self.starts, &self.entries))
+        Ok(CellGrid::from_sorted(layout, positions, &self.starts, &self.entries))
     }
 }
 
