@@ -1,0 +1,44 @@
+//! An f64 taken apart with integer operations alone, so that a processor without floating point links no such code for it.
+
+/// What an f64 is in units of 2^−`fraction_bits`, rounded to nearest, ties away from zero.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Units {
+    /// So many units.
+    Exact(i64),
+    /// At least 2⁶³ units either way, infinity included; the low 64 bits of the two's complement are these.
+    Beyond { negative: bool, low_bits: i64 },
+    /// NaN.
+    Undefined,
+}
+
+/// IEEE 754 binary64: (−1)^sign · significand · 2^(exponent − 1075), with a hidden bit where the exponent is not 0.
+pub(super) fn units(value: f64, fraction_bits: u32) -> Units {
+    const SIGNIFICAND_BITS: u32 = 52;
+    let bits = value.to_bits();
+    let negative = bits >> 63 == 1;
+    let exponent = (bits >> SIGNIFICAND_BITS) as u32 & 0x7ff;
+    let hidden = u64::from(exponent != 0) << SIGNIFICAND_BITS;
+    let fraction = bits & ((1 << SIGNIFICAND_BITS) - 1);
+    if exponent == 0x7ff && fraction != 0 {
+        return Units::Undefined;
+    }
+    let signed = |magnitude: u64| {
+        let magnitude = magnitude as i64;
+        if negative { magnitude.wrapping_neg() } else { magnitude }
+    };
+    let significand = hidden | fraction;
+    let left = exponent.wrapping_add(fraction_bits).wrapping_sub(1075) as i32;
+    match left {
+        11.. => {
+            let low_bits = signed(significand.checked_shl(left as u32).unwrap_or(0));
+            Units::Beyond { negative, low_bits }
+        }
+        0..11 => Units::Exact(signed(significand.wrapping_shl(left as u32))),
+        -54..0 => {
+            let right = left.unsigned_abs();
+            let half = 1u64.wrapping_shl(right.wrapping_sub(1));
+            Units::Exact(signed(significand.wrapping_add(half).wrapping_shr(right)))
+        }
+        _ => Units::Exact(0),
+    }
+}
