@@ -119,7 +119,7 @@ impl Overflow for Saturate {
 
     #[inline(always)]
     fn narrow<F: Format>(wide: Wide<F>) -> F {
-        F::Bits::fit(wide).map_or_else(|| Self::beyond(wide < Wide::<F>::from(0), 0), F::from_bits)
+        F::from_bits(F::Bits::saturate(wide))
     }
 
     #[inline(always)]

@@ -37,6 +37,8 @@ pub trait Word: Copy + Ord + super::Sealed + 'static {
     fn low_bits(bits: i64) -> Self;
     /// The wide integer itself where it is in the symmetric range −MAX to MAX.
     fn fit(wide: Self::Wide) -> Option<Self>;
+    /// The nearest integer of that range.
+    fn saturate(wide: Self::Wide) -> Self;
     /// A 64-bit integer, wide.
     fn from_i64(n: i64) -> Self::Wide;
     /// As an f64, rounded to nearest where 53 bits do not hold it.
@@ -121,7 +123,16 @@ macro_rules! word {
 
             #[inline(always)]
             fn fit(wide: $Wide) -> Option<Self> {
-                Self::try_from(wide).ok().filter(|&word| word != Self::MIN)
+                let word = wide as Self;
+                (<$Wide>::from(word) == wide && word != Self::MIN).then_some(word)
+            }
+
+            #[inline(always)]
+            fn saturate(wide: $Wide) -> Self {
+                let word = wide as Self;
+                let end = wide.wrapping_shr(<$Wide>::BITS - 1) as Self ^ Self::MAX;
+                let held = if <$Wide>::from(word) == wide { word } else { end };
+                if held == Self::MIN { held.wrapping_add(1) } else { held }
             }
 
             #[inline(always)]
