@@ -11,13 +11,13 @@ pub(super) enum Units {
     Undefined,
 }
 
-/// IEEE 754 binary64: (−1)^sign · significand · 2^(exponent − 1075), with a hidden bit where the exponent is not 0.
+/// IEEE 754 binary64: (−1)^sign · significand · 2^(exponent − 1075), whose top bit is hidden. Zero and the
+/// subnormals have none, and are far below half a unit with it or without.
 pub(super) fn units(value: f64, fraction_bits: u32) -> Units {
     const SIGNIFICAND_BITS: u32 = 52;
     let bits = value.to_bits();
     let negative = bits >> 63 == 1;
     let exponent = (bits >> SIGNIFICAND_BITS) as u32 & 0x7ff;
-    let hidden = u64::from(exponent != 0) << SIGNIFICAND_BITS;
     let fraction = bits & ((1 << SIGNIFICAND_BITS) - 1);
     if exponent == 0x7ff && fraction != 0 {
         return Units::Undefined;
@@ -26,7 +26,7 @@ pub(super) fn units(value: f64, fraction_bits: u32) -> Units {
         let magnitude = magnitude as i64;
         if negative { magnitude.wrapping_neg() } else { magnitude }
     };
-    let significand = hidden | fraction;
+    let significand = 1 << SIGNIFICAND_BITS | fraction;
     let left = exponent.wrapping_add(fraction_bits).wrapping_sub(1075) as i32;
     match left {
         11.. => {

@@ -29,8 +29,7 @@ impl<F: Format, O: Overflow> Accumulator<Fixed<F, O>> for Sum<F, O> {
 
     #[inline(always)]
     fn add(&mut self, term: Fixed<F, O>) {
-        let poisoned = O::is_nar(term.value) || (O::STICKY && self.wide == F::Bits::POISON);
-        self.wide = if poisoned { F::Bits::POISON } else { term.to_bits().added_to(self.wide) };
+        self.wide = if O::is_nar(term.value) { F::Bits::POISON } else { term.to_bits().added_to(self.wide) };
     }
 
     #[inline(always)]

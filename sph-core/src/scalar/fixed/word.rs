@@ -8,7 +8,7 @@ pub trait Word: Copy + Ord + super::Sealed + 'static {
     /// Holds a product with an `i32`, a shifted dividend and a sum of 2³² terms (`i64`: of 2⁶⁴).
     type Wide: Copy + Ord + From<i32> + core::fmt::Debug + Send + Sync + 'static;
 
-    /// No sum of fewer terms than `Wide` has room for reaches this: it marks a sum that has met a NaR.
+    /// So far out that a sum put here when it meets a NaR stays out of range, whatever terms follow.
     const POISON: Self::Wide;
     /// 0
     const EMPTY_SUM: Self::Wide;

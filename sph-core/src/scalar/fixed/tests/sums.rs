@@ -50,4 +50,10 @@ fn a_checked_sum_remembers() {
         sum.add(term);
     }
     assert!(!sum.total().is_finite());
+    for term in
+        core::iter::repeat_n(-Checked::MAX, 100_000).chain(core::iter::repeat_n(Checked::MAX, 200_000))
+    {
+        sum.add(term);
+    }
+    assert!(!sum.total().is_finite());
 }
