@@ -1,0 +1,79 @@
+//! Where the ticks of an axis stand, and what is written at them.
+
+/// A tick: its value and its label.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Tick {
+    pub(super) value: f64,
+    pub(super) label: String,
+}
+
+/// At most `most` ticks (but two at least) at multiples of 1, 2 or 5 times a power of ten within a range.
+pub(super) fn ticks([lower, upper]: [f64; 2], most: usize) -> Vec<Tick> {
+    let span = upper - lower;
+    let rough = span / most.max(1) as f64;
+    let power = 10_f64.powf(rough.log10().floor());
+    let step = [1.0, 2.0, 5.0, 10.0, 20.0].into_iter().map(|factor| factor * power).find(|&step| {
+        // One more than steps fit, as both ends may be ticks.
+        (upper / step).floor() - (lower / step).ceil() + 1.0 <= most.max(2) as f64
+    });
+    let step = step.unwrap_or(span);
+    let first = (lower / step - 1e-9).ceil();
+    let count = ((upper / step + 1e-9).floor() - first).clamp(0.0, 100.0) as usize + 1;
+    let values = (0..count).map(|index| (first + index as f64) * step);
+    values.map(|value| Tick { value, label: label(value, step, lower.abs().max(upper.abs())) }).collect()
+}
+
+/// The value with as many places as tell it from the next tick, in exponent form where the axis is very large or small.
+fn label(value: f64, step: f64, largest: f64) -> String {
+    let value = if value.abs() < step * 1e-6 { 0.0 } else { value };
+    let last = (step.log10() + 1e-9).floor() as i32;
+    let text = if !(1e-3..1e6).contains(&largest) {
+        if value == 0.0 {
+            return String::from("0");
+        }
+        let first = value.abs().log10().floor() as i32;
+        format!("{value:.*e}", (first - last).clamp(0, 16) as usize)
+    } else {
+        format!("{value:.*}", (-last).clamp(0, 16) as usize)
+    };
+    text.replace('-', "−")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn labels(range: [f64; 2], most: usize) -> Vec<String> {
+        ticks(range, most).into_iter().map(|tick| tick.label).collect()
+    }
+
+    #[test]
+    fn ticks_are_round_and_within_the_range() {
+        assert_eq!(labels([0.0, 1.0], 6), ["0.0", "0.2", "0.4", "0.6", "0.8", "1.0"]);
+        assert_eq!(labels([-1.0, 1.0], 5), ["−1.0", "−0.5", "0.0", "0.5", "1.0"]);
+        assert_eq!(labels([0.3, 97.0], 6), ["20", "40", "60", "80"]);
+        assert_eq!(labels([1000.001, 1000.003], 3), ["1000.001", "1000.002", "1000.003"]);
+    }
+
+    #[test]
+    fn very_large_and_small_numbers_are_written_with_exponents() {
+        assert_eq!(labels([0.0, 3e-8], 4), ["0", "1e−8", "2e−8", "3e−8"]);
+        assert_eq!(labels([9.5e9, 1.05e10], 3), ["9.5e9", "1.00e10", "1.05e10"]);
+    }
+
+    #[test]
+    fn every_range_has_distinct_ticks_and_no_more_than_asked() {
+        for exponent in -300..300 {
+            for mantissa in [1.0, 1.3, 2.0, 4.9, 7.7] {
+                let upper = mantissa * 10_f64.powi(exponent);
+                for most in 2..9 {
+                    let ticks = ticks([-upper / 3.0, upper], most);
+                    assert!((1..=most).contains(&ticks.len()), "{upper} {most}: {ticks:?}");
+                    assert!(ticks.windows(2).all(|pair| pair[0].label != pair[1].label), "{ticks:?}");
+                    assert!(ticks.iter().all(|tick| -upper / 3.0 - upper * 1e-9 <= tick.value
+                        && tick.value <= upper * (1.0 + 1e-9)));
+                }
+            }
+        }
+    }
+}
