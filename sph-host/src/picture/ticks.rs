@@ -12,13 +12,15 @@ pub(super) fn ticks([lower, upper]: [f64; 2], most: usize) -> Vec<Tick> {
     let span = upper - lower;
     let rough = span / most.max(1) as f64;
     let power = 10_f64.powf(rough.log10().floor());
-    let step = [1.0, 2.0, 5.0, 10.0, 20.0].into_iter().map(|factor| factor * power).find(|&step| {
-        // One more than steps fit, as both ends may be ticks.
-        (upper / step).floor() - (lower / step).ceil() + 1.0 <= most.max(2) as f64
-    });
-    let step = step.unwrap_or(span);
-    let first = (lower / step - 1e-9).ceil();
-    let count = ((upper / step + 1e-9).floor() - first).clamp(0.0, 100.0) as usize + 1;
+    // The first tick as a multiple of the step, and how many there are; an end that is a tick but for rounding counts.
+    let place = |step: f64| {
+        let first = (lower / step - 1e-9).ceil();
+        (first, (upper / step + 1e-9).floor() - first + 1.0)
+    };
+    let steps = [1.0, 2.0, 5.0, 10.0, 20.0].map(|factor| factor * power);
+    let step = steps.into_iter().find(|&step| place(step).1 <= most.max(2) as f64).unwrap_or(span);
+    let (first, count) = place(step);
+    let count = count.clamp(0.0, 100.0) as usize;
     let values = (0..count).map(|index| (first + index as f64) * step);
     values.map(|value| Tick { value, label: label(value, step, lower.abs().max(upper.abs())) }).collect()
 }
@@ -68,7 +70,7 @@ mod tests {
                 let upper = mantissa * 10_f64.powi(exponent);
                 for most in 2..9 {
                     let ticks = ticks([-upper / 3.0, upper], most);
-                    assert!((1..=most).contains(&ticks.len()), "{upper} {most}: {ticks:?}");
+                    assert!((1..=most).contains(&ticks.len()), "{upper:e} {most}: {ticks:?}");
                     assert!(ticks.windows(2).all(|pair| pair[0].label != pair[1].label), "{ticks:?}");
                     assert!(ticks.iter().all(|tick| -upper / 3.0 - upper * 1e-9 <= tick.value
                         && tick.value <= upper * (1.0 + 1e-9)));

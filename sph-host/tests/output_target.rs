@@ -1,0 +1,143 @@
+//! Targets: nothing is half-written, nothing is replaced unasked, nothing is left over.
+
+use std::fs::{self, File};
+use std::io::{self, Write};
+use std::path::Path;
+use std::process::{Command, Stdio};
+use std::time::{Duration, Instant};
+
+use sph_host::output::{Column, Format, Precision, Table, Target, WriteError, cleanup_on_interrupt, write};
+
+fn table() -> Table {
+    Table {
+        coordinates: vec![Column::new("x", vec![0.0, 1.0])],
+        columns: vec![Column::new("density", vec![1.0, 2.0])],
+        grid: None,
+        precision: Precision::F64,
+        caption: String::new(),
+    }
+}
+
+fn names(directory: &Path) -> Vec<String> {
+    let entries = fs::read_dir(directory).unwrap();
+    let mut names: Vec<String> =
+        entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+    names.sort();
+    names
+}
+
+#[test]
+fn an_existing_target_is_kept_unless_forced() {
+    let directory = tempfile::tempdir().unwrap();
+    let mut target = Target::new(directory.path().join("out.csv"));
+    fs::write(&target.path, "precious").unwrap();
+    assert!(matches!(target.check(false), Err(WriteError::Exists(_))));
+    let error = write(&table(), &target).unwrap_err();
+    assert!(error.to_string().ends_with("out.csv: already exists; use --force to replace it"), "{error}");
+    assert!(!error.is_usage());
+    assert_eq!(fs::read_to_string(&target.path).unwrap(), "precious");
+    target.force = true;
+    write(&table(), &target).unwrap();
+    assert_eq!(fs::read_to_string(&target.path).unwrap(), "x,density\n0.0,1.0\n1.0,2.0\n");
+    assert_eq!(names(directory.path()), ["out.csv"]);
+}
+
+#[test]
+fn a_target_that_appears_meanwhile_is_kept() {
+    let directory = tempfile::tempdir().unwrap();
+    let target = Target::new(directory.path().join("out.csv"));
+    let result = target.create(|file| {
+        fs::write(&target.path, "precious")?;
+        file.write_all(b"late")
+    });
+    assert!(matches!(result, Err(WriteError::Exists(_))));
+    assert_eq!(fs::read_to_string(&target.path).unwrap(), "precious");
+    assert_eq!(names(directory.path()), ["out.csv"]);
+}
+
+#[test]
+fn a_failure_leaves_the_old_file_and_nothing_else() {
+    let directory = tempfile::tempdir().unwrap();
+    let target = Target { path: directory.path().join("out.csv"), force: true };
+    fs::write(&target.path, "precious").unwrap();
+    let result = target.create(|file| {
+        file.write_all(&[b'x'; 3 << 20])?;
+        Err(io::Error::other("the disk is full"))
+    });
+    assert!(result.unwrap_err().to_string().ends_with("cannot be written: the disk is full"));
+    assert_eq!(fs::read_to_string(&target.path).unwrap(), "precious");
+    assert_eq!(names(directory.path()), ["out.csv"]);
+}
+
+#[test]
+fn what_cannot_be_is_said_before_the_work() {
+    let directory = tempfile::tempdir().unwrap();
+    let check = |name: &str, grid| Target::new(directory.path().join(name)).check(grid);
+    for name in ["out", "out.txt", "out.csv.gz", ".csv"] {
+        let error = check(name, true).unwrap_err();
+        assert!(matches!(error, WriteError::UnknownEnding(_)) && error.is_usage(), "{name}: {error}");
+    }
+    for name in ["out.png", "out.vti"] {
+        let error = check(name, false).unwrap_err();
+        assert!(error.is_usage() && error.to_string().contains("needs --grid"), "{name}: {error}");
+        assert!(check(name, true).is_ok());
+    }
+    assert_eq!(check("OUT.CSV", false).unwrap(), Format::Csv);
+    assert!(matches!(check("missing/out.csv", false), Err(WriteError::Directory { .. })));
+    fs::create_dir(directory.path().join("folder.vtk")).unwrap();
+    assert!(matches!(check("folder.vtk", false), Err(WriteError::IsDirectory(_))));
+    assert_eq!(names(directory.path()), ["folder.vtk"]);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_result_has_the_permissions_of_an_ordinary_file_and_goes_through_a_link() {
+    use std::os::unix::fs::{MetadataExt, symlink};
+    let directory = tempfile::tempdir().unwrap();
+    let (link, file) = (directory.path().join("link.csv"), directory.path().join("file.csv"));
+    File::create(&file).unwrap();
+    let ordinary = fs::metadata(&file).unwrap().mode();
+    symlink("file.csv", &link).unwrap();
+    assert!(matches!(Target::new(&link).check(false), Err(WriteError::Exists(_))));
+    write(&table(), &Target { path: link.clone(), force: true }).unwrap();
+    assert!(link.is_symlink());
+    assert_eq!(fs::metadata(&file).unwrap().mode(), ordinary);
+    assert!(fs::read_to_string(&file).unwrap().starts_with("x,density"));
+}
+
+/// The test runs itself as a process that writes without end, and interrupts it.
+#[cfg(unix)]
+#[test]
+fn an_interrupt_leaves_nothing_and_exits_130() {
+    const DIRECTORY: &str = "FLUISIM_TEST_INTERRUPT";
+    if let Some(directory) = std::env::var_os(DIRECTORY) {
+        cleanup_on_interrupt().unwrap();
+        cleanup_on_interrupt().unwrap();
+        let target = Target::new(Path::new(&directory).join("out.csv"));
+        target
+            .create(|file| {
+                (0..600).try_for_each(|_| {
+                    std::thread::sleep(Duration::from_millis(50));
+                    file.write_all(b"1,2\n").and_then(|()| file.flush())
+                })
+            })
+            .unwrap();
+        return;
+    }
+    let directory = tempfile::tempdir().unwrap();
+    let mut child = Command::new(std::env::current_exe().unwrap())
+        .args(["an_interrupt_leaves_nothing_and_exits_130", "--exact"])
+        .env(DIRECTORY, directory.path())
+        .stdout(Stdio::null())
+        .spawn()
+        .unwrap();
+    let deadline = Instant::now() + Duration::from_secs(20);
+    while names(directory.path()).is_empty() && Instant::now() < deadline {
+        std::thread::sleep(Duration::from_millis(10));
+    }
+    assert_eq!(names(directory.path()).len(), 1, "the unfinished file");
+    let id = child.id().to_string();
+    assert!(Command::new("kill").args(["-INT", id.as_str()]).status().unwrap().success());
+    assert_eq!(child.wait().unwrap().code(), Some(130));
+    assert!(names(directory.path()).is_empty());
+}
