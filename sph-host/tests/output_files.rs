@@ -225,6 +225,7 @@ fn decoded(text: &str) -> Vec<u8> {
     let length = (8 * (3 + blocks)).div_ceil(3) * 4;
     let header = words(&text[..length]);
     let body = STANDARD.decode(&text[length..]).unwrap();
+    assert!(header[2] < header[1].max(1), "a full last block is not a partial one");
     let mut rest = &body[..];
     let mut bytes = Vec::new();
     for (block, &size) in header[3..].iter().enumerate() {

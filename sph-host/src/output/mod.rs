@@ -37,6 +37,7 @@ mod vtk_xml;
 pub use csv::write_csv;
 pub use interrupt::cleanup_on_interrupt;
 pub use number::shortest;
+pub use png::MOST_IN_PICTURE;
 pub use table::{Column, Grid, GridError, Precision, Table, TableError};
 pub use target::{Format, Target, WriteError};
 

@@ -6,8 +6,8 @@ use crate::picture::heat_map::{self, HeatMap, Panel, Plane};
 use crate::picture::plot::{self, Mark, Plot, Series};
 use crate::picture::{Image, Palette, PictureError};
 
-/// Quantities that one picture shows at most.
-const MOST: usize = 12;
+/// Quantities that one picture shows at most, `density` included, gradients not counted.
+pub const MOST_IN_PICTURE: usize = 12;
 
 /// A quantity, and its gradient if the table has all components of it.
 struct Quantity<'a> {
@@ -19,8 +19,8 @@ struct Quantity<'a> {
 pub(super) fn draw(table: &Table) -> Result<Image, PictureError> {
     let Some(grid) = &table.grid else { return Err(PictureError::Empty) };
     let quantities = quantities(table, grid);
-    if quantities.len() > MOST {
-        return Err(PictureError::TooMany { count: quantities.len(), limit: MOST });
+    if quantities.len() > MOST_IN_PICTURE {
+        return Err(PictureError::TooMany { count: quantities.len(), limit: MOST_IN_PICTURE });
     }
     if grid.counts().len() == 1 {
         return draw_lines(table, grid, &quantities);
