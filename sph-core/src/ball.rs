@@ -18,7 +18,7 @@ use core::f64::consts::PI;
 /// assert_eq!(DISC, core::f64::consts::PI);
 /// ```
 pub const fn unit_volume(dimensions: u32) -> f64 {
-    let mut volume = if dimensions % 2 == 0 { 1.0 } else { 2.0 };
+    let mut volume = if dimensions.is_multiple_of(2) { 1.0 } else { 2.0 };
     let mut n = dimensions % 2;
     while n < dimensions {
         n += 2;

@@ -1,3 +1,33 @@
+//! Smoothed Particle Hydrodynamics without std, allocation, `unsafe` or panics.
+//!
+//! A field known at scattered samples becomes a function that can be asked for its value and gradient anywhere. The tour,
+//! in the order of the mathematics (*FLUISIM: Smoothed Particle Hydrodynamics*, R. E. Fry, 2025):
+//!
+//! 1. [`kernel`]: what a smoothing kernel is, as a shape f(q) on [0, 1], and nine of them (Defs. 1.1, 1.2, Ex. 1.3).
+//! 2. [`ball`]: the N-ball, whose shells normalise a kernel in N dimensions (Def. 2.1).
+//! 3. [`influence`]: Ω and ∇Ω for a support radius h (Defs. 2.2, 2.3, Thm 2.4), with the paper's erratum.
+//! 4. [`neighbours`]: which samples a sum has to look at, by brute force or in cells, in open or periodic space.
+//! 5. [`samples`] and [`field`]: density, interpolation, gradients and what follows from them (Def. 3.1, Thms 3.2, 3.3).
+//! 6. [`difference`]: the n-th central difference of any function (Thm 4.1).
+//!
+//! Data flows one way: samples, neighbours, influence, field. Every number type of [`scalar`] goes through the same source.
+//!
+//! # What can be relied on
+//!
+//! * **Bits.** Sums have one documented order, roots are correctly rounded, and no multiplication is fused with an addition, so
+//!   a microcontroller without floating-point unit gives the bits of a workstation.
+//! * **Bounds.** Storage is the caller's slices or inline arrays of const size; what does not fit is an [`Error`] that says how
+//!   much was needed.
+//! * **No panics.** Constructors check their arguments and say what is wrong; what they hand out cannot fail.
+//!
+//! # Units
+//!
+//! Lengths may be in any unit L, masses in any unit M. Types of a small range want lengths near h and densities near 1.
+//!
+//! # Features
+//!
+//! `fixed`: fixed-point scalars. `micromath`: `Fast32`. `defmt`: `defmt::Format` for the public types. All are additive.
+
 #![no_std]
 #![forbid(unsafe_code)]
 

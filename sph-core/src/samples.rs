@@ -9,7 +9,7 @@ pub trait PerSample<V>: Copy {
     fn get(&self, j: usize) -> Option<V>;
 
     /// How many samples have a value; `None` when every sample has.
-    fn len(&self) -> Option<usize>;
+    fn count(&self) -> Option<usize>;
 }
 
 /// One value that all samples share: a mass that takes no memory.
@@ -23,7 +23,7 @@ impl<V: Copy> PerSample<V> for Uniform<V> {
         Some(self.0)
     }
 
-    fn len(&self) -> Option<usize> {
+    fn count(&self) -> Option<usize> {
         None
     }
 }
@@ -34,7 +34,7 @@ impl<V: Copy> PerSample<V> for &[V] {
         (**self).get(j).copied()
     }
 
-    fn len(&self) -> Option<usize> {
+    fn count(&self) -> Option<usize> {
         Some((**self).len())
     }
 }
@@ -45,7 +45,7 @@ impl<V: Copy, const N: usize> PerSample<V> for &[V; N] {
         self.as_slice().get(j).copied()
     }
 
-    fn len(&self) -> Option<usize> {
+    fn count(&self) -> Option<usize> {
         Some(N)
     }
 }
@@ -56,7 +56,7 @@ pub(crate) fn check_length<V>(
     samples: usize,
     parameter: Parameter,
 ) -> Result<(), Error> {
-    values.len().map_or(Ok(()), |len| check::length(len, samples, parameter))
+    values.count().map_or(Ok(()), |count| check::length(count, samples, parameter))
 }
 
 /// Samples j with weights, ready to be summed over: masses m_j for a density, volumes V_j = m_j / ρ_j for a field.
@@ -88,7 +88,7 @@ impl<T: Scalar, const D: usize, N: Neighbours<T, D>, M: PerSample<T>> Sources<T,
     pub fn new(search: N, weights: M) -> Result<Self, Error> {
         let samples = search.positions().len();
         check_length(&weights, samples, Parameter::Mass)?;
-        for index in 0..weights.len().unwrap_or(1) {
+        for index in 0..weights.count().unwrap_or(1) {
             if let Some(weight) = weights.get(index) {
                 check::positive(weight, Parameter::Mass, index)?;
             }

@@ -1,1 +1,4 @@
-//! Integration tests live in `tests/`; this library is empty.
+//! Integration tests live in `tests/`; the README's example is tested here.
+
+#[doc = include_str!("../../README.md")]
+pub struct Readme;

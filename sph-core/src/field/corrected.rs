@@ -59,7 +59,7 @@ impl<T: Scalar, const D: usize, N: Neighbours<T, D>, M: PerSample<T>> Sources<T,
             }
         });
         let [weight, support] = <[T; 2]>::total(sum);
-        if !(weight > T::ZERO) {
+        if !weight.is_above_zero() {
             return None;
         }
         let (first, second) = (<[T; D]>::total(first), second.map(<[T; D]>::total));

@@ -23,7 +23,7 @@ pub(super) fn solve<T: Scalar, const D: usize>(mut m: [[T; D]; D], mut b: [T; D]
     }
     for row in (0..D).rev() {
         for k in row + 1..D {
-            b[row] = b[row] - m[row][k] * b[k];
+            b[row] -= m[row][k] * b[k];
         }
         b[row] = b[row] / m[row][row];
     }

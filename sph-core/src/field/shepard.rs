@@ -44,7 +44,7 @@ impl<T: Scalar, const D: usize, N: Neighbours<T, D>, M: PerSample<T>, V> Field<'
             }
         });
         let [values, weights] = <[T; 2]>::total(sum);
-        if !(weights > T::ZERO) {
+        if !weights.is_above_zero() {
             return None;
         }
         let value = values / weights;

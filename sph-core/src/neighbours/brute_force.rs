@@ -44,7 +44,7 @@ impl<T: Scalar, const D: usize> Neighbours<T, D> for BruteForce<'_, T, D> {
     }
 
     fn for_each(&self, x: &[T; D], radius: T, mut visit: impl FnMut(Neighbour<T, D>)) {
-        if !(radius > T::ZERO) {
+        if !radius.is_above_zero() {
             return;
         }
         let x = self.domain.wrap(x);

@@ -121,7 +121,7 @@ impl<T: Scalar, I: Index, const D: usize> Neighbours<T, D> for CellGrid<'_, T, I
     }
 
     fn for_each(&self, x: &[T; D], radius: T, mut visit: impl FnMut(Neighbour<T, D>)) {
-        if !(radius > T::ZERO) || D == 0 {
+        if !radius.is_above_zero() || D == 0 {
             return;
         }
         let x = self.layout.domain.wrap(x);

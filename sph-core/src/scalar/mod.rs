@@ -99,6 +99,12 @@ pub trait Scalar: Arithmetic + PartialOrd + Default + Debug + Send + Sync + 'sta
     /// Bits to compare and hash by: −0 as 0, every NaN alike.
     fn canonical_bits(self) -> u64;
 
+    /// Whether x > 0; false for NaN.
+    #[inline(always)]
+    fn is_above_zero(self) -> bool {
+        self > Self::ZERO
+    }
+
     /// |x|
     #[inline(always)]
     fn abs(self) -> Self {
