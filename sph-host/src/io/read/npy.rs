@@ -1,0 +1,155 @@
+//! One array of NumPy: the header of a `.npy` file and what it says of the bytes behind it.
+//!
+//! The format is NumPy's NEP 1: a magic word, a version, the header's length, and a literal of a Python dictionary
+//! with the keys `descr`, `fortran_order` and `shape`.
+
+use crate::io::error::shown;
+use crate::io::numbers::{Endian, Stored};
+
+/// What the header of a `.npy` file says.
+#[derive(Debug, PartialEq)]
+pub(super) struct Header {
+    /// The type as NumPy spells it.
+    pub descr: String,
+    pub fortran_order: bool,
+    pub shape: Vec<usize>,
+}
+
+impl Header {
+    /// The header, and the bytes behind it.
+    pub(super) fn split(file: &[u8]) -> Result<(Self, &[u8]), String> {
+        let wrong = || "not an array of NumPy, or cut short".to_owned();
+        let rest = file.strip_prefix(b"\x93NUMPY").ok_or_else(wrong)?;
+        let (&[major, _minor], rest) = rest.split_first_chunk().ok_or_else(wrong)?;
+        let (length, rest) = if major == 1 {
+            let (length, rest) = rest.split_first_chunk().ok_or_else(wrong)?;
+            (usize::from(u16::from_le_bytes(*length)), rest)
+        } else {
+            let (length, rest) = rest.split_first_chunk().ok_or_else(wrong)?;
+            (usize::try_from(u32::from_le_bytes(*length)).map_err(|_| wrong())?, rest)
+        };
+        let (text, data) = rest.split_at_checked(length).ok_or_else(wrong)?;
+        let header = std::str::from_utf8(text).ok().and_then(Self::parse);
+        let header = header.ok_or_else(|| format!("the header {} is not one of NumPy", shown(text)))?;
+        Ok((header, data))
+    }
+
+    fn parse(text: &str) -> Option<Self> {
+        let value = |key: &str| {
+            let (_, rest) = text.split_once(&format!("'{key}'"))?;
+            Some(rest.trim_start().strip_prefix(':')?.trim_start())
+        };
+        let descr = value("descr")?;
+        let descr = match descr.strip_prefix('\'') {
+            Some(name) => name.split_once('\'')?.0,
+            None => "of several fields",
+        };
+        let order = value("fortran_order")?;
+        let fortran_order = order.starts_with("True");
+        let (shape, _) = value("shape")?.strip_prefix('(')?.split_once(')')?;
+        let lengths = shape.split(',').map(str::trim).filter(|length| !length.is_empty());
+        // Python 2 writes long integers as 3L.
+        let shape = lengths.map(|length| length.trim_end_matches('L').parse().ok()).collect::<Option<_>>()?;
+        (fortran_order || order.starts_with("False")).then(|| Self {
+            descr: descr.to_owned(),
+            fortran_order,
+            shape,
+        })
+    }
+
+    /// How the numbers are stored, `None` if they are no real numbers.
+    pub(super) fn stored(&self) -> Option<(Stored, Endian)> {
+        let (order, kind) = self.descr.split_at_checked(1)?;
+        let endian = match order {
+            ">" => Endian::Big,
+            "<" | "|" => Endian::Little,
+            _ => return None,
+        };
+        let stored = match kind {
+            "b1" | "u1" => Stored::U8,
+            "i1" => Stored::I8,
+            "i2" => Stored::I16,
+            "u2" => Stored::U16,
+            "i4" => Stored::I32,
+            "u4" => Stored::U32,
+            "i8" => Stored::I64,
+            "u8" => Stored::U64,
+            "f2" => Stored::F16,
+            "f4" => Stored::F32,
+            "f8" => Stored::F64,
+            _ => return None,
+        };
+        Some((stored, endian))
+    }
+
+    /// The numbers in C order, whose bytes are `data`.
+    pub(super) fn numbers(&self, stored: Stored, endian: Endian, data: &[u8]) -> Result<Vec<f64>, String> {
+        let count = self.shape.iter().try_fold(1usize, |product, &length| product.checked_mul(length));
+        let want = count.and_then(|count| Some((count, stored.bytes(count)?)));
+        let Some((count, _)) = want.filter(|&(_, bytes)| bytes == data.len()) else {
+            return Err(format!("{} bytes for the shape {:?} of {}", data.len(), self.shape, self.descr));
+        };
+        let mut values = Vec::with_capacity(count);
+        stored.decode(data, endian, count, &mut values);
+        Ok(if self.fortran_order && self.shape.len() > 1 { self.transposed(&values) } else { values })
+    }
+
+    /// `values`, whose first index runs fastest, with the last index fastest.
+    fn transposed(&self, values: &[f64]) -> Vec<f64> {
+        let mut index = vec![0; self.shape.len()];
+        let mut out = Vec::with_capacity(values.len());
+        for _ in 0..values.len() {
+            let at = index.iter().zip(&self.shape).rev().fold(0, |at, (i, length)| at * length + i);
+            out.push(values[at]);
+            for (i, &length) in index.iter_mut().zip(&self.shape).rev() {
+                *i += 1;
+                if *i < length {
+                    break;
+                }
+                *i = 0;
+            }
+        }
+        out
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn headers_of_every_version() {
+        let text = "{'descr': '>f4', 'fortran_order': True, 'shape': (2, 3L), }\n";
+        let want = Header { descr: ">f4".to_owned(), fortran_order: true, shape: vec![2, 3] };
+        for version in 1..=3u8 {
+            let mut file = b"\x93NUMPY".to_vec();
+            file.extend([version, 0]);
+            let length = text.len() as u32;
+            file.extend(&length.to_le_bytes()[..if version == 1 { 2 } else { 4 }]);
+            file.extend(text.as_bytes());
+            file.push(7);
+            let (header, data) = Header::split(&file).unwrap();
+            assert_eq!((&header, data), (&want, &[7u8][..]));
+            for cut in 0..file.len() - 1 {
+                assert!(Header::split(&file[..cut]).is_err(), "{cut}");
+            }
+        }
+    }
+
+    #[test]
+    fn shapes_that_overflow_are_refused() {
+        let header =
+            Header { descr: "<f8".to_owned(), fortran_order: false, shape: vec![1 << 32, 1 << 32, 2] };
+        assert!(header.numbers(Stored::F64, Endian::Little, &[]).is_err());
+        assert!(Header::parse("{'descr': '<f8', 'fortran_order': False, 'shape': (-1,), }").is_none());
+    }
+
+    #[test]
+    fn fortran_order_is_turned_round() {
+        let header = Header { descr: "|u1".to_owned(), fortran_order: true, shape: vec![2, 3, 2] };
+        let bytes: Vec<u8> = (0..12).collect();
+        let values = header.numbers(Stored::U8, Endian::Little, &bytes).unwrap();
+        // Element (i, j, k) lies at i + 2 j + 6 k.
+        assert_eq!(values, [0.0, 6.0, 2.0, 8.0, 4.0, 10.0, 1.0, 7.0, 3.0, 9.0, 5.0, 11.0]);
+    }
+}

@@ -1,0 +1,234 @@
+//! Records of RFC 4180 with the lines that they stand on.
+//!
+//! Lines without a quotation mark, which is nearly all of a particle file, are cut at the delimiter where they stand.
+
+use crate::io::error::{Parsed, Problem};
+use std::io::BufRead;
+
+/// The records of a text table. Blank lines and lines that start with `#` are passed over.
+pub(super) struct Records<R> {
+    input: R,
+    delimiter: u8,
+    /// How many lines have been read.
+    lines: usize,
+    line: Vec<u8>,
+    unquoted: Vec<u8>,
+    /// Where the cells of the current record are, in `unquoted` if `is_quoted`, else in `line`.
+    cells: Vec<(usize, usize)>,
+    is_quoted: bool,
+}
+
+/// What the cutting of a line with quotation marks stands in.
+#[derive(Clone, Copy, PartialEq)]
+enum State {
+    /// Blanks at the start of a cell.
+    Start,
+    /// A cell without quotation marks.
+    Plain,
+    /// Between quotation marks.
+    Quoted,
+    /// Behind a quotation mark that closes the cell, or is the first of a pair.
+    Closing,
+    /// Blanks behind a closed cell.
+    Closed,
+}
+
+impl<R: BufRead> Records<R> {
+    pub(super) fn new(input: R, delimiter: u8) -> Self {
+        let (line, unquoted, cells) = (Vec::new(), Vec::new(), Vec::new());
+        Self { input, delimiter, lines: 0, line, unquoted, cells, is_quoted: false }
+    }
+
+    /// Goes to the next record and gives the line that it starts on, from 1.
+    pub(super) fn advance(&mut self) -> Parsed<Option<usize>> {
+        loop {
+            if !self.next_line()? {
+                return Ok(None);
+            }
+            match self.line.iter().find(|&&byte| !self.is_blank(byte)) {
+                None | Some(b'#') => {}
+                Some(_) => break,
+            }
+        }
+        let start = self.lines;
+        self.cells.clear();
+        self.is_quoted = memchr::memchr(b'"', &self.line).is_some();
+        if self.is_quoted {
+            self.cut_quoted(start)?
+        } else {
+            self.cut()
+        }
+        Ok(Some(start))
+    }
+
+    /// How many cells the current record has.
+    pub(super) fn len(&self) -> usize {
+        self.cells.len()
+    }
+
+    /// The cells of the current record without blanks around them.
+    pub(super) fn cells(&self) -> impl Iterator<Item = &[u8]> {
+        let text = if self.is_quoted { &self.unquoted } else { &self.line };
+        self.cells.iter().map(|&(start, end)| self.trimmed(&text[start..end]))
+    }
+
+    fn is_blank(&self, byte: u8) -> bool {
+        byte == b' ' || byte == b'\t' && self.delimiter != b'\t'
+    }
+
+    fn trimmed<'a>(&self, mut cell: &'a [u8]) -> &'a [u8] {
+        while let Some((&first, rest)) = cell.split_first()
+            && self.is_blank(first)
+        {
+            cell = rest;
+        }
+        while let Some((&last, rest)) = cell.split_last()
+            && self.is_blank(last)
+        {
+            cell = rest;
+        }
+        cell
+    }
+
+    /// Reads a line without its end, which is a line feed with or without a carriage return before it.
+    fn next_line(&mut self) -> Parsed<bool> {
+        self.line.clear();
+        if self.input.read_until(b'\n', &mut self.line)? == 0 {
+            return Ok(false);
+        }
+        self.lines += 1;
+        if self.lines == 1 && self.line.starts_with(b"\xef\xbb\xbf") {
+            self.line.drain(..3);
+        }
+        if self.line.ends_with(b"\n") {
+            self.line.pop();
+        }
+        if self.line.ends_with(b"\r") {
+            self.line.pop();
+        }
+        Ok(true)
+    }
+
+    fn cut(&mut self) {
+        let mut start = 0;
+        for end in memchr::memchr_iter(self.delimiter, &self.line) {
+            self.cells.push((start, end));
+            start = end + 1;
+        }
+        self.cells.push((start, self.line.len()));
+    }
+
+    /// Cuts a record with quotation marks, which may go over several lines.
+    fn cut_quoted(&mut self, start: usize) -> Parsed<()> {
+        self.unquoted.clear();
+        let (mut state, mut begin) = (State::Start, 0);
+        loop {
+            for index in 0..self.line.len() {
+                let byte = self.line[index];
+                state = self.step(state, byte, &mut begin)?;
+            }
+            if state != State::Quoted {
+                self.cells.push((begin, self.unquoted.len()));
+                return Ok(());
+            }
+            self.unquoted.push(b'\n');
+            if !self.next_line()? {
+                return Err(Problem::at(format!("line {start}"), "a quotation mark is never closed"));
+            }
+        }
+    }
+
+    fn step(&mut self, state: State, byte: u8, begin: &mut usize) -> Parsed<State> {
+        let next = match (state, byte) {
+            (State::Quoted, b'"') => return Ok(State::Closing),
+            (State::Quoted, _) => State::Quoted,
+            (State::Closing, b'"') => State::Quoted,
+            (_, byte) if byte == self.delimiter => {
+                self.cells.push((*begin, self.unquoted.len()));
+                *begin = self.unquoted.len();
+                return Ok(State::Start);
+            }
+            (State::Start, b'"') => return Ok(State::Quoted),
+            (State::Start | State::Closing | State::Closed, byte) if self.is_blank(byte) => {
+                return Ok(if state == State::Start { State::Start } else { State::Closed });
+            }
+            (State::Start | State::Plain, _) => State::Plain,
+            (State::Closing | State::Closed, _) => {
+                let at = format!("line {}, cell {}", self.lines, self.cells.len() + 1);
+                return Err(Problem::at(at, "text behind a closing quotation mark"));
+            }
+        };
+        self.unquoted.push(byte);
+        Ok(next)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn records(text: &[u8], delimiter: u8) -> Vec<(usize, Vec<String>)> {
+        let mut records = Records::new(text, delimiter);
+        let mut out = Vec::new();
+        while let Some(line) = records.advance().unwrap() {
+            let cells: Vec<String> =
+                records.cells().map(|cell| String::from_utf8(cell.to_vec()).unwrap()).collect();
+            assert_eq!(cells.len(), records.len());
+            out.push((line, cells));
+        }
+        out
+    }
+
+    fn row(line: usize, cells: &[&str]) -> (usize, Vec<String>) {
+        (line, cells.iter().map(|cell| (*cell).to_owned()).collect())
+    }
+
+    #[test]
+    fn lines_are_those_of_the_file() {
+        let text = b"\xef\xbb\xbf# note, \"unclosed\r\n\r\na , \"b \"\"c\"\"\"\r\n  \n\"two\r\nlines\" ,\"d,e\"\n # f\n1,2";
+        let want = [row(3, &["a", "b \"c\""]), row(5, &["two\nlines", "d,e"]), row(8, &["1", "2"])];
+        assert_eq!(records(text, b','), want);
+    }
+
+    #[test]
+    fn a_tab_is_blank_only_where_it_does_not_delimit() {
+        assert_eq!(records(b"a\t,\tb\n\t\n", b','), [row(1, &["a", "b"])]);
+        assert_eq!(records(b" a \t\t b\n\t\n \n", b'\t'), [row(1, &["a", "", "b"]), row(2, &["", ""])]);
+    }
+
+    #[test]
+    fn a_mark_inside_a_plain_cell_is_text() {
+        assert_eq!(records(b"5\",6\n1,2", b','), [row(1, &["5\"", "6"]), row(2, &["1", "2"])]);
+        assert_eq!(records(b"\"\",\"#\"", b','), [row(1, &["", "#"])]);
+    }
+
+    #[test]
+    fn broken_quotation_is_refused_with_its_line() {
+        for (text, at) in [("a\n\"b\nc\n", "line 2"), ("a,b\n1,\"x\"y\n", "line 2, cell 2")] {
+            let mut records = Records::new(text.as_bytes(), b',');
+            records.advance().unwrap();
+            let Err(Problem::Invalid { at: Some(found), .. }) = records.advance() else { panic!("{text}") };
+            assert_eq!(found, at);
+        }
+    }
+
+    proptest! {
+        /// What the crate `csv` writes is read back as it was given.
+        #[test]
+        fn reads_what_csv_writes(
+            rows in prop::collection::vec(prop::collection::vec("[a\",\n\r;#é]{0,5}b", 3), 1..8),
+            delimiter in prop::sample::select(vec![b',', b'\t']),
+        ) {
+            let mut writer = csv::WriterBuilder::new().delimiter(delimiter).from_writer(Vec::new());
+            for row in &rows {
+                // A bare carriage return before a line feed is a line's end here, so none is written.
+                writer.write_record(row.iter().map(|cell| cell.replace('\r', "")).map(|c| format!(".{c}"))).unwrap();
+            }
+            let read = records(&writer.into_inner().unwrap(), delimiter);
+            let want: Vec<Vec<String>> = rows.iter()
+                .map(|row| row.iter().map(|cell| format!(".{}", cell.replace('\r', ""))).collect()).collect();
+            prop_assert_eq!(read.into_iter().map(|(_, cells)| cells).collect::<Vec<_>>(), want);
+        }
+    }
+}

@@ -1,0 +1,83 @@
+//! Files written by VTK and NumPy (`fixtures/make.py` says how) give the particles that went into them.
+
+use sph_host::io::{PointTable, read};
+use std::path::Path;
+
+fn fixture(name: &str) -> PointTable {
+    read(&Path::new(env!("CARGO_MANIFEST_DIR")).join("fixtures").join(name)).unwrap()
+}
+
+/// What the five particles hold, to the bit: every value but i/10 is exact as text of any precision.
+fn check(name: &str, table: &PointTable) {
+    let want: Vec<f64> = (0..5).map(f64::from).collect();
+    let scaled = |factor: f64, shift: f64| want.iter().map(|i| i * factor + shift).collect::<Vec<_>>();
+    assert_eq!(table.coordinates, [scaled(1.0, 0.0), scaled(0.5, 0.0), scaled(-0.25, 0.0)], "{name}");
+    let values = |quantity: &str| table.quantity(quantity).unwrap().values.into_owned();
+    assert_eq!(values("rho"), scaled(1.0, 1000.0), "{name}");
+    assert_eq!(values("index"), scaled(1.0, -2.0), "{name}");
+    assert_eq!(values("flag u"), want, "{name}");
+    assert_eq!(values("velocity_y"), scaled(-1.0, 0.0), "{name}");
+    let velocity = table.quantity("velocity").unwrap();
+    assert_eq!(velocity.labels, ["velocity_x", "velocity_y", "velocity_z"]);
+    let tenths: Vec<f64> = velocity.values.iter().skip(2).step_by(3).copied().collect();
+    assert_eq!(tenths, want.iter().map(|i| i / 10.0).collect::<Vec<_>>(), "{name}");
+    assert_eq!(table.density().unwrap().unwrap().values, scaled(1.0, 1000.0));
+    assert!(table.mass().unwrap().is_none());
+}
+
+#[test]
+fn every_coding_of_vtk() {
+    let names = [
+        "ascii.vtu",
+        "base64.vtp",
+        "base64_zlib_big.vtp",
+        "appended_base64_big.vtu",
+        "appended_base64_zlib.vtu",
+        "raw.vtp",
+        "raw_zlib.vtu",
+        "legacy_ascii_42.vtk",
+        "legacy_ascii_51.vtk",
+        "legacy_binary_42.vtk",
+        "legacy_binary_51.vtk",
+    ];
+    for name in names {
+        let table = fixture(name);
+        check(name, &table);
+        let values = |quantity: &str| table.quantity(quantity).unwrap().values.into_owned();
+        assert_eq!(values("bit"), [0.0, 1.0, 0.0, 1.0, 0.0], "{name}");
+        assert_eq!(values("gid"), [0.0, 7.0, 14.0, 21.0, 28.0], "{name}");
+        let mut quantities = table.default_quantities();
+        quantities.sort();
+        assert_eq!(quantities, ["bit", "flag u", "gid", "index", "velocity"], "{name}");
+        let text = table.quantity("tag").unwrap_err().to_string();
+        assert!(text.contains(name) && text.contains("array `tag`"), "{text}");
+    }
+}
+
+#[test]
+fn pieces_follow_each_other() {
+    let (twice, once) = (fixture("raw_zlib_pieces.vtu"), fixture("raw_zlib.vtu"));
+    assert_eq!(twice.len(), 10);
+    for (long, short) in twice.coordinates.iter().zip(&once.coordinates) {
+        assert_eq!(*long, short.repeat(2));
+    }
+    for name in ["velocity", "rho", "bit"] {
+        let values = |table: &PointTable| table.quantity(name).unwrap().values.into_owned();
+        assert_eq!(values(&twice), values(&once).repeat(2), "{name}");
+    }
+}
+
+#[test]
+fn every_coding_of_numpy() {
+    for name in ["stored.npz", "deflated_fortran_big.npz"] {
+        check(name, &fixture(name));
+    }
+    let stored = fixture("stored.npz");
+    assert_eq!(stored.default_quantities(), ["velocity", "index", "flag u"]);
+    for unusable in ["time", "tag"] {
+        let text = stored.quantity(unusable).unwrap_err().to_string();
+        assert!(text.contains(&format!("array `{unusable}`")), "{text}");
+    }
+    let text = fixture("deflated_fortran_big.npz").quantity("other").unwrap_err().to_string();
+    assert!(text.contains("array `other`") && text.contains("[3] for 5 points"), "{text}");
+}
