@@ -1,5 +1,16 @@
-//! sph-core on a workstation: allocation, threads, files, pictures.
+//! sph-core on a workstation: allocation, threads, particle files, pictures, and the command `fluisim`.
+//!
+//! Everything the command does is a library call: [`sample::run`] evaluates the fields of a [`sample::Request`],
+//! [`io::read`] reads particle files, [`output::write`] writes results, [`picture`] draws.
 
+pub mod cli;
+pub mod demo;
+pub mod failure;
 pub mod io;
+pub mod kernel_choice;
 pub mod output;
 pub mod picture;
+pub mod sample;
+pub mod scalar_choice;
+
+pub use failure::Failure;

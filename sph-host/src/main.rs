@@ -1,3 +1,7 @@
 //! The command `fluisim`.
 
-fn main() {}
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    sph_host::cli::main()
+}

@@ -1,0 +1,223 @@
+//! `fluisim sample`: words to [`Request`], table to file.
+
+use std::io::BufWriter;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+use clap::{ArgGroup, Args};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use serde_json::json;
+
+use super::parse::{self, Bounds, Counts};
+use super::to_stdout;
+use crate::demo;
+use crate::failure::Failure;
+use crate::kernel_choice::KernelName;
+use crate::output::{self, Target};
+use crate::sample::{self, Estimate, Particulars, Request, Sampled, SupportFrom, Where};
+use crate::scalar_choice::ScalarName;
+
+/// Evaluate the fields of a particle set at points, on a grid, or at the particles themselves.
+///
+/// PARTICLES is a file (.csv, .tsv, .vtk, .vtu, .vtp, .npz) or a built-in set: demo:vortex, demo:drop, demo:lattice.
+/// Special columns are x, y, z, m or mass, rho or density, in any case of letters. The result goes to stdout as CSV, or to
+/// --out in the format that its ending names: .csv, .npz, .vtk, .vtu, .vti, .png. Its columns are the coordinates, density,
+/// each quantity, and with --gradient NAME_dx, NAME_dy, NAME_dz.
+///
+/// Example: fluisim sample demo:vortex --grid 256,256 --quantity velocity_x --gradient --out vortex.png
+#[derive(Debug, Args)]
+#[command(group = ArgGroup::new("where").required(true).args(["at", "grid", "at_particles"]))]
+pub(super) struct SampleArgs {
+    /// A particle file, or demo:vortex, demo:drop, demo:lattice
+    particles: String,
+
+    /// Evaluate at the points of this file
+    #[arg(long, value_name = "POINTS")]
+    at: Option<PathBuf>,
+    /// Evaluate at the cell centres of a grid
+    #[arg(long, value_name = "NX,NY[,NZ]", value_parser = parse::counts, allow_hyphen_values = true)]
+    grid: Option<Counts>,
+    /// Evaluate at the particles
+    #[arg(long)]
+    at_particles: bool,
+    /// The grid's box; without it, the particles' bounding box
+    #[arg(long, value_name = "X0,Y0[,Z0],X1,Y1[,Z1]", value_parser = parse::bounds, requires = "grid", allow_hyphen_values = true)]
+    bounds: Option<Bounds>,
+
+    /// The smoothing kernel
+    #[arg(long, value_enum, default_value_t = KernelName::CubicSpline)]
+    kernel: KernelName,
+    /// Dimensions, where a file has more coordinates than are meant: 2 for a 3-D file whose z are all equal
+    #[arg(long, value_parser = clap::value_parser!(u8).range(1..=3))]
+    dim: Option<u8>,
+    /// A field to evaluate, again for more; without it, every numeric array that is not special
+    #[arg(long = "quantity", value_name = "NAME")]
+    quantities: Vec<String>,
+    /// Also the gradients: NAME_dx, NAME_dy, NAME_dz
+    #[arg(long)]
+    gradient: bool,
+
+    /// The support radius, beyond which the kernel is zero
+    #[arg(long, value_name = "H", value_parser = parse::positive, allow_hyphen_values = true, conflicts_with = "smoothing_length")]
+    support: Option<f64>,
+    /// The smoothing length: the support radius divided by the kernel's support ratio
+    #[arg(long, value_name = "L", value_parser = parse::positive, allow_hyphen_values = true)]
+    smoothing_length: Option<f64>,
+    /// A column with each particle's support radius
+    #[arg(long, value_name = "NAME", conflicts_with = "smoothing_length_column")]
+    support_column: Option<String>,
+    /// A column with each particle's smoothing length
+    #[arg(long, value_name = "NAME")]
+    smoothing_length_column: Option<String>,
+
+    /// The sum that stands for a field
+    #[arg(long, value_enum, default_value_t = Estimate::Plain)]
+    estimate: Estimate,
+    /// The mass of every particle, over a column
+    #[arg(long, value_name = "M", value_parser = parse::positive, allow_hyphen_values = true)]
+    mass: Option<f64>,
+    /// Sum the densities although there is a density column
+    #[arg(long)]
+    recompute_density: bool,
+    /// The number type
+    #[arg(long, value_enum, default_value_t = ScalarName::F64)]
+    scalar: ScalarName,
+    /// About how many particles a built-in set is to have
+    #[arg(long = "particles", value_name = "N", value_parser = parse::count)]
+    count: Option<usize>,
+
+    /// Threads; without it, one for each core. No bit of the result depends on it
+    #[arg(long, value_name = "N", value_parser = parse::count)]
+    threads: Option<usize>,
+    /// Sum in sph-core's documented order, so that the bits are those of firmware
+    #[arg(long)]
+    exact: bool,
+    /// The result's file; without it, CSV on stdout
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+    /// Replace an existing file
+    #[arg(long)]
+    force: bool,
+    /// No progress bar
+    #[arg(long)]
+    quiet: bool,
+    /// End stderr with a line of JSON that says where the time went
+    #[arg(long)]
+    timing: bool,
+}
+
+/// Does what the words say.
+pub(super) fn run(args: SampleArgs) -> Result<(), Failure> {
+    let target = args.out.clone().map(|path| Target { path, force: args.force });
+    let (quiet, timing, on_grid) = (args.quiet, args.timing, args.grid.is_some());
+    let request = request(args)?;
+    if let Some(target) = &target {
+        target.check(on_grid)?;
+    }
+    let sampled = sample::run(&request, &progress(quiet))?;
+    for warning in &sampled.warnings {
+        eprintln!("warning: {warning}");
+    }
+    let start = Instant::now();
+    match &target {
+        Some(target) => output::write(&sampled.table, target)?,
+        None => to_stdout(output::write_csv(&sampled.table, BufWriter::new(std::io::stdout().lock())))?,
+    }
+    if timing {
+        eprintln!("timing: {}", timing_line(&sampled, start.elapsed().as_secs_f64()));
+    }
+    Ok(())
+}
+
+/// What the words ask for, where they are words that can be.
+fn request(args: SampleArgs) -> Result<Request, Failure> {
+    if args.kernel.is_singular() {
+        return Err(Failure::usage(
+            "the viscosity kernel diverges at r = 0: it is for viscosity forces, not for densities or interpolation; \
+             choose another --kernel",
+        ));
+    }
+    let dim = args.dim.map(usize::from);
+    let particles = particulars(&args.particles, args.count)?;
+    let at = match (args.at, args.grid) {
+        (Some(path), _) => Where::At(path),
+        (None, Some(Counts(counts))) => {
+            let bounds = args.bounds.map(|Bounds(bounds)| bounds);
+            check_dimensions(&counts, bounds.as_deref(), dim)?;
+            Where::Grid { counts, bounds }
+        }
+        (None, None) => Where::AtParticles,
+    };
+    // An explicit value wins over a column.
+    let support =
+        match (args.support, args.smoothing_length, args.support_column, args.smoothing_length_column) {
+            (Some(h), ..) => Some(SupportFrom::Radius(h)),
+            (_, Some(length), ..) => Some(SupportFrom::SmoothingLength(length)),
+            (_, _, Some(name), _) => Some(SupportFrom::RadiusColumn(name)),
+            (.., Some(name)) => Some(SupportFrom::SmoothingLengthColumn(name)),
+            _ => None,
+        };
+    Ok(Request {
+        particles,
+        at,
+        kernel: args.kernel,
+        dim,
+        quantities: args.quantities,
+        gradient: args.gradient,
+        support,
+        estimate: args.estimate,
+        mass: args.mass,
+        recompute_density: args.recompute_density,
+        scalar: args.scalar,
+        threads: args.threads,
+    })
+}
+
+fn particulars(words: &str, count: Option<usize>) -> Result<Particulars, Failure> {
+    if let Some(name) = words.strip_prefix("demo:") {
+        if demo::SETS.iter().all(|(known, _)| *known != name) {
+            return Err(demo::unknown(name));
+        }
+        return Ok(Particulars::Demo(name.to_owned(), count));
+    }
+    if count.is_some() {
+        return Err(Failure::usage("--particles N sizes a built-in set, not a file"));
+    }
+    Ok(Particulars::File(Path::new(words).to_owned()))
+}
+
+fn check_dimensions(counts: &[usize], bounds: Option<&[f64]>, dim: Option<usize>) -> Result<(), Failure> {
+    let axes = counts.len();
+    if let Some(bounds) = bounds.filter(|bounds| bounds.len() != 2 * axes) {
+        let (found, expected) = (bounds.len(), 2 * axes);
+        return Err(Failure::usage(format!(
+            "--grid has {axes} axes, --bounds {found} numbers: expected {expected}"
+        )));
+    }
+    if let Some(dim) = dim.filter(|&dim| dim != axes) {
+        return Err(Failure::usage(format!("--grid has {axes} axes, but --dim is {dim}")));
+    }
+    Ok(())
+}
+
+fn progress(quiet: bool) -> ProgressBar {
+    // indicatif draws nothing where stderr is no terminal
+    let target = if quiet { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
+    let bar = ProgressBar::with_draw_target(None, target);
+    match ProgressStyle::with_template("{bar:40} {human_pos}/{human_len} points, {eta} left") {
+        Ok(style) => bar.with_style(style),
+        Err(_) => bar,
+    }
+}
+
+fn timing_line(sampled: &Sampled, write: f64) -> serde_json::Value {
+    json!({
+        "particles": sampled.particles,
+        "points": sampled.table.points(),
+        "threads": sampled.threads,
+        "read_s": sampled.timing.read,
+        "search_s": sampled.timing.search,
+        "evaluate_s": sampled.timing.evaluate,
+        "write_s": write,
+    })
+}

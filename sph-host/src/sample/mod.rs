@@ -1,0 +1,116 @@
+//! `fluisim sample`: fields of a particle set at points.
+//!
+//! [`Request`] says what is asked for, in the words of the command line. [`run`] goes the whole way: read and check the
+//! particles ([`load`]), make the points ([`points`]), evaluate sph-core's sums there in the scalar that was asked for
+//! ([`evaluate`]), and hand back a [`Table`] with what there is to warn of.
+
+mod evaluate;
+mod gathered;
+mod load;
+mod points;
+mod request;
+mod scene;
+mod units;
+
+pub use load::{Particles, Support};
+pub use request::{Estimate, Particulars, Request, SupportFrom, Where};
+
+use std::time::Instant;
+
+use crate::failure::Failure;
+use crate::output::{Precision, Table};
+use crate::scalar_choice::{ScalarName, with_scalar};
+use indicatif::ProgressBar;
+
+/// Seconds that each part took.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Timing {
+    /// Reading and checking files, or making a built-in set.
+    pub read: f64,
+    /// Sorting the particles into cells.
+    pub search: f64,
+    /// Summing.
+    pub evaluate: f64,
+}
+
+/// What a run has to show.
+#[derive(Clone, Debug)]
+pub struct Sampled {
+    /// The points and the fields there.
+    pub table: Table,
+    /// How many particles there are.
+    pub particles: usize,
+    /// How many threads worked.
+    pub threads: usize,
+    /// What a person should know: one sentence each.
+    pub warnings: Vec<String>,
+    /// Where the time went.
+    pub timing: Timing,
+}
+
+/// Does what a request asks for.
+///
+/// # Errors
+/// [`Failure`] with one clear message.
+pub fn run(request: &Request, progress: &ProgressBar) -> Result<Sampled, Failure> {
+    points::refuse_oversize(request)?;
+    let start = Instant::now();
+    let particles = load::particles(request)?;
+    let points = points::points(request, &particles)?;
+    let read = start.elapsed().as_secs_f64();
+
+    progress.set_length(points.len() as u64);
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(request.threads.unwrap_or(0))
+        .build()
+        .map_err(|error| Failure::input(format!("cannot start the threads: {error}")))?;
+    let done = pool.install(|| {
+        with_scalar!(request.scalar, T => match particles.dim {
+            1 => evaluate::evaluate::<T, 1>(request, &particles, &points, progress),
+            2 => evaluate::evaluate::<T, 2>(request, &particles, &points, progress),
+            _ => evaluate::evaluate::<T, 3>(request, &particles, &points, progress),
+        })
+    })?;
+    progress.finish_and_clear();
+
+    let precision = if request.scalar == ScalarName::F32 { Precision::F32 } else { Precision::F64 };
+    let caption = caption(request, &particles);
+    let warnings = warnings(&done.counts, points.len());
+    let (coordinates, grid) = points.into_table();
+    Ok(Sampled {
+        table: Table { coordinates, columns: done.columns, grid, precision, caption },
+        particles: particles.len(),
+        threads: pool.current_num_threads(),
+        warnings,
+        timing: Timing { read, search: done.search_seconds, evaluate: done.evaluate_seconds },
+    })
+}
+
+fn caption(request: &Request, particles: &Particles) -> String {
+    let support = match &particles.support {
+        Support::Uniform(h) => format!("h = {h}"),
+        Support::PerParticle(_) => String::from("h of each particle"),
+    };
+    format!("{}: {} particles, {}, {support}", particles.source, particles.len(), request.kernel.name())
+}
+
+fn warnings(counts: &evaluate::Counts, points: usize) -> Vec<String> {
+    let mut warnings = Vec::new();
+    if points == 0 {
+        warnings.push(String::from("there are no points: the result has a header alone"));
+    }
+    if counts.out_of_reach > 0 {
+        warnings.push(format!("{} of {points} points have no particle in reach", counts.out_of_reach));
+    }
+    if counts.ill_conditioned > 0 {
+        warnings.push(format!(
+            "{} of {points} points have too few particles in reach, or all of them in a plane, for the corrected estimate",
+            counts.ill_conditioned
+        ));
+    }
+    if counts.overflowed > 0 {
+        warnings
+            .push(format!("{} values are outside the range of the scalar and left out", counts.overflowed));
+    }
+    warnings
+}

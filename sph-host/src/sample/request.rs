@@ -1,0 +1,87 @@
+//! What `fluisim sample` can be asked for.
+
+use std::path::PathBuf;
+
+use clap::ValueEnum;
+
+use crate::kernel_choice::KernelName;
+use crate::scalar_choice::ScalarName;
+
+/// Where the particles come from.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Particulars {
+    /// A file.
+    File(PathBuf),
+    /// A built-in set by name, and about how many particles it is to have.
+    Demo(String, Option<usize>),
+}
+
+/// Where the fields are wanted.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Where {
+    /// At the points of a file.
+    At(PathBuf),
+    /// At the cell centres of a grid; the box is that of the particles where no bounds (lower, then upper corner) are given.
+    Grid {
+        /// Cells along each axis.
+        counts: Vec<usize>,
+        /// The lower corner's coordinates, then the upper one's.
+        bounds: Option<Vec<f64>>,
+    },
+    /// At the particles.
+    AtParticles,
+}
+
+/// Where the support radii come from.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SupportFrom {
+    /// h for all.
+    Radius(f64),
+    /// The smoothing length for all: h times the kernel's support ratio.
+    SmoothingLength(f64),
+    /// A column with h of each particle.
+    RadiusColumn(String),
+    /// A column with the smoothing length of each particle.
+    SmoothingLengthColumn(String),
+}
+
+/// Which sum stands for a field.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum Estimate {
+    /// Σ m/ρ A W, the paper's interpolation
+    #[default]
+    Plain,
+    /// divided by Σ m/ρ W: exact for constants
+    Shepard,
+    /// linear moving least squares: exact for linear fields
+    Corrected,
+}
+
+/// Everything that `fluisim sample` is asked for.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Request {
+    /// The particles.
+    pub particles: Particulars,
+    /// The points.
+    pub at: Where,
+    /// The kernel.
+    pub kernel: KernelName,
+    /// 1 to 3, where the particles' own number of coordinates is not meant.
+    pub dim: Option<usize>,
+    /// The fields by name; none: every numeric array that is not special.
+    pub quantities: Vec<String>,
+    /// Whether gradients are wanted too.
+    pub gradient: bool,
+    /// Support radii; none: the set's own, or an error.
+    pub support: Option<SupportFrom>,
+    /// The estimate.
+    pub estimate: Estimate,
+    /// The mass of every particle, over a column.
+    pub mass: Option<f64>,
+    /// Whether ρ is summed by Thm 3.2 although there is a density column.
+    pub recompute_density: bool,
+    /// The number type.
+    pub scalar: ScalarName,
+    /// Threads; none: one for each core.
+    pub threads: Option<usize>,
+}
