@@ -26,9 +26,6 @@ pub const SETS: &[(&str, &str)] = &[
 /// The density of every set.
 const DENSITY: f64 = 1000.0;
 
-/// h / spacing
-const REACH: f64 = 2.6;
-
 /// The set of this name with about `particles` particles; `None` for an unknown name.
 ///
 /// ```
@@ -64,7 +61,7 @@ fn vortex(particles: usize) -> Demo {
         column("velocity_y", &|x, y| x.sin() * y.cos()),
         column("pressure", &|x, y| -0.25 * ((2.0 * x).cos() + (2.0 * y).cos())),
     ];
-    demo("vortex", &positions, arrays, side)
+    demo("vortex", &positions, arrays, side, 4.0)
 }
 
 fn drop(particles: usize) -> Demo {
@@ -76,7 +73,7 @@ fn drop(particles: usize) -> Demo {
     let velocity = positions.iter().flat_map(|[x, y, _]| [0.5 - y, x - 0.5, 0.0]).collect();
     let temperature = positions.iter().map(|x| 20.0 + 60.0 * (-8.0 * radius_squared(x)).exp()).collect();
     let arrays = vec![Array::new("velocity", 3, velocity), Array::new("temperature", 1, temperature)];
-    demo("drop", &positions, arrays, side)
+    demo("drop", &positions, arrays, side, 2.6)
 }
 
 fn lattice(particles: usize) -> Demo {
@@ -84,7 +81,7 @@ fn lattice(particles: usize) -> Demo {
     let positions = lattice_points::<3>(side, 0.0);
     let k = 2.0 * PI;
     let a = positions.iter().map(|[x, y, z]| (k * x).sin() * (k * y).cos() + z).collect();
-    demo("lattice", &positions, vec![Array::new("A", 1, a)], side)
+    demo("lattice", &positions, vec![Array::new("A", 1, a)], side, 2.6)
 }
 
 /// The lattice points along each axis for about this many in all.
@@ -111,14 +108,21 @@ fn lattice_points<const D: usize>(side: usize, jitter: f64) -> Vec<[f64; D]> {
     positions
 }
 
-fn demo<const D: usize>(name: &str, positions: &[[f64; D]], mut arrays: Vec<Array>, side: usize) -> Demo {
+/// A set of particles that stand for a volume of spacing^D each, with the reach h / spacing.
+fn demo<const D: usize>(
+    name: &str,
+    positions: &[[f64; D]],
+    mut arrays: Vec<Array>,
+    side: usize,
+    reach: f64,
+) -> Demo {
     let spacing = 1.0 / side as f64;
     let mass = DENSITY * spacing.powi(D as i32);
     arrays.insert(0, Array::new("m", 1, vec![mass; positions.len()]));
     let coordinates = (0..D).map(|axis| positions.iter().map(|x| x[axis]).collect()).collect();
     let table = PointTable::new(format!("demo:{name}"), coordinates, arrays)
         .expect("a set's arrays have one value for each of its particles");
-    Demo { table, support_radius: REACH * spacing }
+    Demo { table, support_radius: reach * spacing }
 }
 
 /// G. L. Steele, D. Lea, C. H. Flood, *Fast splittable pseudorandom number generators*, OOPSLA 2014.

@@ -19,7 +19,13 @@ pub fn write_csv(table: &Table, writer: impl Write) -> io::Result<()> {
 
 /// [`write_csv`] for a table that has been checked.
 pub(super) fn write_rows(table: &Table, writer: impl Write) -> io::Result<()> {
-    let mut csv = csv::Writer::from_writer(writer);
+    write_records(table, csv::Writer::from_writer(writer)).map_err(|error| match error.into_kind() {
+        csv::ErrorKind::Io(error) => error,
+        other => io::Error::other(format!("{other:?}")),
+    })
+}
+
+fn write_records(table: &Table, mut csv: csv::Writer<impl Write>) -> csv::Result<()> {
     csv.write_record(table.all_columns().map(|column| column.name.as_bytes()))?;
     let mut buffer = zmij::Buffer::new();
     for point in 0..table.points() {
@@ -31,5 +37,5 @@ pub(super) fn write_rows(table: &Table, writer: impl Write) -> io::Result<()> {
         }
         csv.write_record(None::<&[u8]>)?;
     }
-    csv.flush()
+    Ok(csv.flush()?)
 }

@@ -6,7 +6,7 @@ use crate::picture::heat_map::{self, HeatMap, Panel, Plane};
 use crate::picture::plot::{self, Mark, Plot, Series};
 use crate::picture::{Image, Palette, PictureError};
 
-/// Quantities that one picture shows at most, `density` included, gradients not counted.
+/// Quantities that one picture shows at most, gradients not counted.
 pub const MOST_IN_PICTURE: usize = 12;
 
 /// A quantity, and its gradient if the table has all components of it.
@@ -37,7 +37,7 @@ pub(super) fn draw(table: &Table) -> Result<Image, PictureError> {
     heat_map::draw(&HeatMap { title: title.collect::<Vec<_>>().join(", "), plane: slice.plane, rows })
 }
 
-/// The columns that are no gradients, each with its gradient.
+/// The columns to show, each with its gradient.
 fn quantities<'a>(table: &'a Table, grid: &Grid) -> Vec<Quantity<'a>> {
     let axes = &AXES[..grid.counts().len()];
     let find = |name: String| table.columns.iter().find(|column| column.name == name);
@@ -52,7 +52,13 @@ fn quantities<'a>(table: &'a Table, grid: &Grid) -> Vec<Quantity<'a>> {
         .flatten()
         .map(|column| column.name.clone())
         .collect();
-    all.into_iter().filter(|quantity| !components.contains(&quantity.column.name)).collect()
+    let mut quantities: Vec<Quantity> =
+        all.into_iter().filter(|quantity| !components.contains(&quantity.column.name)).collect();
+    // What was asked for is the picture; the density comes along in every table.
+    if quantities.len() > 1 {
+        quantities.retain(|quantity| quantity.column.name != "density");
+    }
+    quantities
 }
 
 /// A plane of cells of a grid.

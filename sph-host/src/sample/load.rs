@@ -181,7 +181,7 @@ pub(super) fn bounds(values: &[f64]) -> (f64, f64) {
 }
 
 /// A number for people, to a few significant digits whatever its size.
-struct Significant(f64);
+pub(super) struct Significant(pub(super) f64);
 
 impl std::fmt::Display for Significant {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {

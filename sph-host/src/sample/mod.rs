@@ -88,7 +88,7 @@ pub fn run(request: &Request, progress: &ProgressBar) -> Result<Sampled, Failure
 
 fn caption(request: &Request, particles: &Particles) -> String {
     let support = match &particles.support {
-        Support::Uniform(h) => format!("h = {h}"),
+        Support::Uniform(h) => format!("h = {:.4}", load::Significant(*h)),
         Support::PerParticle(_) => String::from("h of each particle"),
     };
     format!("{}: {} particles, {}, {support}", particles.source, particles.len(), request.kernel.name())
