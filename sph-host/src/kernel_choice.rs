@@ -225,11 +225,6 @@ impl<'a, T: Scalar, const D: usize> Influences<'a, T, D> {
             each.iter().fold(T::ZERO, |reach, influence| Scalar::max(reach, influence.support_radius()));
         Self { each, stride: 1, reach }
     }
-
-    /// Whether each sample has its own support radius.
-    pub fn is_per_sample(&self) -> bool {
-        self.stride == 1
-    }
 }
 
 impl<'a, T: Scalar, const D: usize> InfluenceOf<T, D> for Influences<'a, T, D> {

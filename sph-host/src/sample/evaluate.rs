@@ -4,16 +4,15 @@ use std::time::Instant;
 
 use indicatif::ProgressBar;
 use rayon::prelude::*;
-use sph_core::{Field, Influence, InfluenceOf, Neighbour, Neighbours, Scalar, Sources};
+use sph_core::{Field, Scalar, Sources};
 
-use super::gathered::Gathered;
 use super::load::Particles;
 use super::points::Points;
 use super::request::{Estimate, Request};
 use super::scene::Scene;
+use super::stencil::{Contribution, Stencil};
 use super::units::Units;
 use crate::failure::Failure;
-use crate::kernel_choice::AnyInfluence;
 use crate::output::Column;
 
 /// The columns of the result, and what was counted on the way.
@@ -152,52 +151,43 @@ impl<T: Scalar, const D: usize> Sums<'_, T, D> {
     }
 
     /// One row of the result at x.
-    fn row(&self, x: &[T; D], near: &mut Vec<Neighbour<T, D>>, row: &mut Row<'_>) {
-        let w = self.scene.influences();
-        near.clear();
-        self.scene.search().for_each(x, w.reach(), |neighbour| near.push(neighbour));
-        if w.is_per_sample() {
-            near.retain(|neighbour| w.of(neighbour.index).is_some_and(|w| reaches(w, neighbour)));
-        }
-        row.counts.out_of_reach += usize::from(near.is_empty());
-        let search = Gathered { positions: &self.scene.positions, neighbours: near };
+    fn row(&self, x: &[T; D], buffer: &mut Vec<Contribution<T, D>>, row: &mut Row<'_>) {
+        let stencil =
+            Stencil::gather(buffer, &self.scene.search(), self.scene.influences(), x, self.gradient);
+        row.counts.out_of_reach += usize::from(stencil.is_empty());
         if let Some(masses) = &self.scene.masses {
-            let sources = Sources::assume_checked(search, &masses[..]);
+            let sources = Sources::assume_checked(stencil, stencil.pick(masses));
             if self.gradient {
-                let (density, slope) = sources.density_gradient_at(w, x);
+                let (density, slope) = sources.density_gradient_at(stencil, x);
                 row.put(Some(density));
                 row.put_all(Some(slope));
             } else {
-                row.put(Some(sources.density_at(w, x)));
+                row.put(Some(sources.density_at(stencil, x)));
             }
         }
         if !self.scene.values.is_empty() {
-            self.fields(x, &Sources::assume_checked(search, &self.scene.volumes[..]), row);
+            self.fields(x, stencil, row);
         }
     }
 
     /// The fields' part of a row.
-    fn fields(&self, x: &[T; D], volumes: &Near<'_, T, D>, row: &mut Row<'_>) {
-        let w = self.scene.influences();
-        let basis = match self.estimate {
-            Estimate::Corrected => volumes.linear_basis_at(w, x),
-            _ => None,
-        };
-        if self.estimate == Estimate::Corrected && basis.is_none() && volumes.density_at(w, x) > T::ZERO {
-            row.counts.ill_conditioned += 1;
-        }
+    fn fields(&self, x: &[T; D], stencil: Stencil<'_, T, D>, row: &mut Row<'_>) {
+        let volumes = Sources::assume_checked(stencil, stencil.pick(&self.scene.volumes));
+        let is_corrected = self.estimate == Estimate::Corrected;
+        let basis = if is_corrected { volumes.linear_basis_at(stencil, x) } else { None };
+        row.counts.ill_conditioned += usize::from(is_corrected && basis.is_none() && !stencil.is_empty());
         for values in &self.scene.values {
-            let Ok(field) = Field::new(volumes, &values[..]) else { continue };
+            let Ok(field) = Field::new(&volumes, stencil.pick(values)) else { continue };
             let (value, slope) = match self.estimate {
                 Estimate::Plain if self.gradient => {
-                    let (value, slope) = field.interpolate_with_gradient_at(w, x);
+                    let (value, slope) = field.interpolate_with_gradient_at(stencil, x);
                     (Some(value), Some(slope))
                 }
-                Estimate::Plain => (Some(field.interpolate_at(w, x)), None),
-                Estimate::Shepard if self.gradient => field.shepard_gradient_at(w, x).unzip(),
-                Estimate::Shepard => (field.shepard_at(w, x), None),
+                Estimate::Plain => (Some(field.interpolate_at(stencil, x)), None),
+                Estimate::Shepard if self.gradient => field.shepard_gradient_at(stencil, x).unzip(),
+                Estimate::Shepard => (field.shepard_at(stencil, x), None),
                 Estimate::Corrected => {
-                    let fit = basis.as_ref().and_then(|basis| field.fit_at(basis, w, x));
+                    let fit = basis.as_ref().and_then(|basis| field.fit_at(basis, stencil, x));
                     fit.map(|fit| (fit.value, fit.gradient)).unzip()
                 }
             };
@@ -207,12 +197,4 @@ impl<T: Scalar, const D: usize> Sums<'_, T, D> {
             }
         }
     }
-}
-
-/// The neighbours of one point, weighted by their volumes.
-type Near<'a, T, const D: usize> = Sources<T, D, Gathered<'a, T, D>, &'a [T]>;
-
-/// Whether a particle's own support reaches the point.
-fn reaches<T: Scalar, const D: usize>(w: &AnyInfluence<T, D>, neighbour: &Neighbour<T, D>) -> bool {
-    neighbour.distance_squared < w.support_radius() * w.support_radius()
 }

@@ -5,11 +5,11 @@
 //! ([`evaluate`]), and hand back a [`Table`] with what there is to warn of.
 
 mod evaluate;
-mod gathered;
 mod load;
 mod points;
 mod request;
 mod scene;
+mod stencil;
 mod units;
 
 pub use load::{Particles, Support};
