@@ -20,9 +20,9 @@ pub enum Axis<T> {
 /// D axes, each open or periodic.
 ///
 /// On a periodic axis samples lie in [lower, lower + length), checked when a search is made; [`wrap`](Self::wrap) brings them
-/// there. A query may lie anywhere. Every image x_j + k · length within the radius counts, however large the radius; the
-/// image's position is rounded once, so a search with periodic axes gives the very bits of one over an explicit copy of the
-/// images.
+/// there. A query may lie anywhere and is wrapped first. Every image x_j + k · length within the radius counts, however large
+/// the radius: the time of a query grows with their number. An image's position is the sum in T of x_j and the product in T
+/// of k and the length, so a search with periodic axes gives the very bits of one over an explicit copy of the images.
 ///
 /// ```
 /// use sph_core::Domain;
@@ -46,12 +46,16 @@ impl<T: Scalar, const D: usize> Domain<T, D> {
     ///
     /// # Errors
     /// [`Error::NotFinite`] for bounds that are not, [`Error::NotPositive`] unless lower < upper and `axis` < D; both with
-    /// the axis as index.
+    /// the axis as index. [`Error::NotRepresentable`] where the period's images at its two ends leave the range of T.
     pub fn periodic(mut self, axis: usize, lower: T, upper: T) -> Result<Self, Error> {
         check::finite(lower, Parameter::Axis, axis)?;
         check::finite(upper, Parameter::Axis, axis)?;
         let length = upper - lower;
         check::positive(length, Parameter::Axis, axis)?;
+        let images = [lower - length, upper + length];
+        if !(images.iter().all(|end| end.is_finite()) && images[0] < lower && upper < images[1]) {
+            return Err(Error::NotRepresentable { parameter: Parameter::Axis });
+        }
         let slot =
             self.axes.get_mut(axis).ok_or(Error::NotPositive { parameter: Parameter::Axis, index: axis })?;
         *slot = Axis::Periodic { lower, length };
@@ -63,7 +67,8 @@ impl<T: Scalar, const D: usize> Domain<T, D> {
         &self.axes
     }
 
-    /// The image of x that lies in [lower, lower + length) along every periodic axis.
+    /// The image of x that lies in [lower, lower + length) along every periodic axis. What is not finite stays so; what is
+    /// 2³¹ periods away or farther becomes `lower`.
     pub fn wrap(&self, x: &[T; D]) -> [T; D] {
         core::array::from_fn(|axis| wrap_along(&self.axes[axis], x[axis]))
     }
@@ -82,7 +87,7 @@ impl<T: Scalar, const D: usize> Domain<T, D> {
     }
 }
 
-/// x_j + k · length, rounded once more than x_j was; x_j itself for k = 0.
+/// x_j + k · length; x_j itself for k = 0.
 #[inline(always)]
 pub(super) fn image<T: Scalar>(kind: &Axis<T>, coordinate: T, k: i32) -> T {
     match *kind {
@@ -91,7 +96,17 @@ pub(super) fn image<T: Scalar>(kind: &Axis<T>, coordinate: T, k: i32) -> T {
     }
 }
 
-fn is_inside<T: Scalar>(kind: &Axis<T>, coordinate: T) -> bool {
+/// The images k = −reach … reach that can lie within the radius of a point inside the period; 0 on an open axis.
+#[inline(always)]
+pub(super) fn image_reach<T: Scalar>(kind: &Axis<T>, radius: T) -> i32 {
+    match *kind {
+        Axis::Open => 0,
+        Axis::Periodic { length, .. } => (radius / length).floor_to_i32().saturating_add(2),
+    }
+}
+
+#[inline(always)]
+pub(super) fn is_inside<T: Scalar>(kind: &Axis<T>, coordinate: T) -> bool {
     match *kind {
         Axis::Open => true,
         Axis::Periodic { lower, length } => coordinate >= lower && coordinate < lower + length,
@@ -101,13 +116,13 @@ fn is_inside<T: Scalar>(kind: &Axis<T>, coordinate: T) -> bool {
 #[inline(always)]
 fn wrap_along<T: Scalar>(kind: &Axis<T>, coordinate: T) -> T {
     let Axis::Periodic { lower, length } = *kind else { return coordinate };
-    if is_inside(kind, coordinate) {
+    if is_inside(kind, coordinate) || !coordinate.is_finite() {
         return coordinate;
     }
     let periods = ((coordinate - lower) / length).floor_to_i32();
-    let wrapped = coordinate - length.times(periods);
-    // Rounding may leave it on the upper end, which is the lower one.
-    if is_inside(kind, wrapped) { wrapped } else { lower }
+    let near = coordinate - length.times(periods);
+    // A quotient rounded across an integer is one period off. Rounding may still leave the upper end, which is the lower.
+    [near, near + length, near - length].into_iter().find(|&x| is_inside(kind, x)).unwrap_or(lower)
 }
 
 #[cfg(test)]

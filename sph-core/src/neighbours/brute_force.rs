@@ -1,7 +1,7 @@
 //! Every sample against every query: the oracle that other searches are held against, and the smallest code.
 
-use super::axis::image;
-use super::{Axis, Domain, Neighbour, Neighbours};
+use super::axis::{image, image_reach};
+use super::{Domain, Neighbour, Neighbours};
 use crate::{Error, Scalar};
 
 /// Looks at all samples: ascending j, and for each j its images in ascending order, first axis fastest.
@@ -28,14 +28,6 @@ impl<'a, T: Scalar, const D: usize> BruteForce<'a, T, D> {
         domain.check(positions)?;
         Ok(Self { positions, domain })
     }
-
-    /// The images k = −reach … reach of each axis that can lie within the radius of a point in the domain.
-    fn image_reach(&self, radius: T) -> [i32; D] {
-        self.domain.axes().map(|axis| match axis {
-            Axis::Open => 0,
-            Axis::Periodic { length, .. } => (radius / length).floor_to_i32().saturating_add(2),
-        })
-    }
 }
 
 impl<T: Scalar, const D: usize> Neighbours<T, D> for BruteForce<'_, T, D> {
@@ -49,7 +41,7 @@ impl<T: Scalar, const D: usize> Neighbours<T, D> for BruteForce<'_, T, D> {
         }
         let x = self.domain.wrap(x);
         let radius_squared = radius * radius;
-        let reach = self.image_reach(radius);
+        let reach = self.domain.axes().map(|axis| image_reach(&axis, radius));
         for (index, position) in self.positions.iter().enumerate() {
             let mut k = reach.map(|reach| -reach);
             loop {

@@ -48,7 +48,7 @@ impl<'a, T: Scalar, I: Index, const D: usize> CellGrid<'a, T, I, D> {
     }
 
     /// The search over slices that [`build`](Self::build) has filled for these positions and this layout. Slices that it has
-    /// not filled give a search that misses samples, nothing worse.
+    /// not filled give a search that misses samples or meets some twice, and never a panic.
     pub fn from_sorted(
         layout: CellLayout<T, D>,
         positions: &'a [[T; D]],
@@ -126,7 +126,9 @@ impl<T: Scalar, I: Index, const D: usize> Neighbours<T, D> for CellGrid<'_, T, I
         }
         let x = self.layout.domain.wrap(x);
         let radius_squared = radius * radius;
-        let ranges = core::array::from_fn(|axis| self.layout.axes[axis].range(x[axis], radius));
+        let ranges = core::array::from_fn(|axis| {
+            self.layout.axes[axis].range(&self.layout.domain.axes()[axis], x[axis], radius)
+        });
         let mut row = ranges.map(|(first, _)| first);
         loop {
             self.visit_row(&row, ranges[0].1, &x, radius_squared, &mut visit);
@@ -160,7 +162,7 @@ impl<T: Scalar, I: Index, const D: usize> CellGrid<'_, T, I, D> {
         while number <= last {
             let (cell, image) = axes[0].locate(number);
             k[0] = image;
-            let cells = (axes[0].count.get() - cell).min((last - number + 1) as u32);
+            let cells = (axes[0].count.get() - cell).min(last.abs_diff(number).saturating_add(1));
             let run = self.run(base.wrapping_add(cell as usize), cells as usize);
             self.visit_run(run, &k, x, radius_squared, visit);
             number += cells as i32;

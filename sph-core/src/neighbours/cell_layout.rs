@@ -1,11 +1,13 @@
 //! How a [`CellGrid`](super::CellGrid) divides space: the cell of every point, and the cells in reach of one.
 //!
 //! The cell of a coordinate is ⌊(x − origin) / cell size⌋. Rounding is monotone, so for |x − x_j| < r the cell of x_j lies
-//! between those of x − r and x + r as computed, whatever the rounding: no sample is missed, and cells need no margin.
+//! between those of x − r and x + r as computed, whatever the rounding and the range of T: no sample is missed, and cells
+//! need no margin. An image x_j + k · length is found by the cell of x_j, which is monotone in the image's position but
+//! for the few roundings that moved it: periodic axes widen the radius by those.
 
 use core::num::NonZeroU32;
 
-use super::Domain;
+use super::axis::{Axis, Domain, image_reach, is_inside};
 use crate::{Error, Parameter, Scalar, check};
 
 /// How many cells along one axis, how wide, and what happens outside of them.
@@ -37,25 +39,56 @@ const FARTHEST: i32 = 1 << 30;
 const MOST_CELLS: u32 = 1 << 20;
 
 impl<T: Scalar> CellAxis<T> {
-    /// The cell number of a coordinate, before its ends are looked at.
+    /// The cell number of a coordinate, before its ends are looked at; what overflows is farthest, and above where
+    /// it compares with nothing.
     #[inline(always)]
     fn raw(&self, coordinate: T) -> i32 {
-        ((coordinate - self.origin) * self.inverse_size).floor_to_i32().clamp(-FARTHEST, FARTHEST)
+        let number = (coordinate - self.origin) * self.inverse_size;
+        if number.is_finite() {
+            number.floor_to_i32().clamp(-FARTHEST, FARTHEST)
+        } else if coordinate < self.origin {
+            -FARTHEST
+        } else {
+            FARTHEST
+        }
     }
 
     /// The first and last cell number in reach of a coordinate; each number in between is one visit.
     #[inline(always)]
-    pub(super) fn range(&self, coordinate: T, radius: T) -> (i32, i32) {
-        let (first, last) = (self.raw(coordinate - radius), self.raw(coordinate + radius));
-        let count = self.count.get() as i32;
-        match self.ends {
-            Ends::Clamped => (first.clamp(0, count - 1), last.clamp(0, count - 1)),
-            Ends::Repeated => (first, last.min(first.saturating_add(count - 1))),
-            // An image is rounded once more than its sample was, which may move it by a cell.
-            Ends::Periodic => {
-                (if first < 0 { first - 1 } else { first }, if last >= count { last + 1 } else { last })
-            }
+    pub(super) fn range(&self, kind: &Axis<T>, x: T, radius: T) -> (i32, i32) {
+        if let Axis::Periodic { length, .. } = *kind {
+            return self.periodic_range(kind, length, x, radius);
         }
+        let low = x - radius;
+        let first = if low.is_finite() { self.raw(low) } else { -FARTHEST };
+        let last = self.raw(x + radius);
+        let most = self.count.get() as i32 - 1;
+        match self.ends {
+            Ends::Repeated => (first, last.min(first.saturating_add(most))),
+            Ends::Clamped | Ends::Periodic => (first.clamp(0, most), last.clamp(0, most)),
+        }
+    }
+
+    /// [`range`](Self::range) on a periodic axis, where cell number c + k · count is image k of the cell c.
+    ///
+    /// The two ends of the interval, the image and the shift back by k periods are rounded seven times in all, each time by
+    /// at most ε/2 · 2(|x| + r + length): the radius is widened by 8 ε (|x| + r + length).
+    #[inline(always)]
+    fn periodic_range(&self, kind: &Axis<T>, length: T, x: T, radius: T) -> (i32, i32) {
+        let count = self.count.get() as i32;
+        let error = T::EPSILON.times(8);
+        let reach = radius + (error * x.abs() + error * radius + error * length);
+        let number = |end: T, side: i32| {
+            if is_inside(kind, end) {
+                return self.raw(end).clamp(0, count - 1);
+            }
+            let images = image_reach(kind, radius).min(FARTHEST / count);
+            let periods = (end - self.origin) / length;
+            let k = if periods.is_finite() { periods.floor_to_i32() } else { side * images };
+            let k = k.clamp(-images, images);
+            k * count + self.raw(end - length.times(k)).clamp(0, count - 1)
+        };
+        (number(x - reach, -1), number(x + reach, 1))
     }
 
     /// The stored cell that a cell number of [`range`](Self::range) stands for, and the image k of its samples.
@@ -110,7 +143,8 @@ impl<T: Scalar, const D: usize> CellLayout<T, D> {
     ///
     /// # Errors
     /// [`Error::NotFinite`] or [`Error::NotPositive`] with the axis, unless lower < upper and counts > 0;
-    /// [`Error::NotRepresentable`] where 1 / cell size or the number of cells is not.
+    /// [`Error::NotRepresentable`] where 1 / cell size or the number of cells is not; [`Error::CapacityExceeded`] for more
+    /// than 2²⁰ cells along one axis.
     pub fn bounded(lower: &[T; D], upper: &[T; D], counts: [u32; D]) -> Result<Self, Error> {
         let mut axes = [Self::unit_axis(); D];
         for (axis, slot) in axes.iter_mut().enumerate() {

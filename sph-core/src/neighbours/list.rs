@@ -20,13 +20,12 @@ use crate::{Error, Parameter};
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct NeighbourList<const CAP: usize, I: Index = u16> {
     indices: heapless::Vec<I, CAP>,
-    dropped: bool,
 }
 
 impl<const CAP: usize, I: Index> NeighbourList<CAP, I> {
     /// The empty list.
     pub const fn new() -> Self {
-        Self { indices: heapless::Vec::new(), dropped: false }
+        Self { indices: heapless::Vec::new() }
     }
 
     /// The indices in the order they were found.
@@ -50,14 +49,17 @@ impl<const CAP: usize, I: Index> NeighbourList<CAP, I> {
     }
 
     pub(super) fn push_if_room(&mut self, index: usize) {
-        self.dropped |= index > I::MAX || self.indices.push(I::from_usize(index)).is_err();
+        self.indices.push(I::from_usize(index)).ok();
     }
 
-    /// The list, if nothing was dropped on the way to the `needed` entries.
-    pub(super) fn complete(self, needed: usize) -> Result<Self, Error> {
-        if self.dropped {
-            let capacity = CAP.min(I::MAX);
-            return Err(Error::CapacityExceeded { parameter: Parameter::Neighbours, capacity, needed });
+    /// The list, if the `needed` entries have room in it and the `largest` index in I.
+    pub(super) fn complete(self, needed: usize, largest: usize) -> Result<Self, Error> {
+        let full = |parameter, capacity, needed| Err(Error::CapacityExceeded { parameter, capacity, needed });
+        if needed > CAP {
+            return full(Parameter::Neighbours, CAP, needed);
+        }
+        if largest > I::MAX {
+            return full(Parameter::Position, I::MAX.saturating_add(1), largest.saturating_add(1));
         }
         Ok(self)
     }

@@ -43,9 +43,10 @@ pub struct Neighbour<T, const D: usize> {
 }
 
 impl<T: Scalar, const D: usize> Neighbour<T, D> {
-    /// The neighbour at `position`, if it is nearer to x than √`radius_squared`: the one place where that is decided.
+    /// The neighbour at `position`, if |x − x_j|² < `radius_squared`, squares and sum in T: the one place where that is decided.
+    /// Squares that overflow or vanish in T decide too: f32 sees nothing within 10⁻³⁰, not even the sample at x.
     #[inline(always)]
-    fn within(index: usize, x: &[T; D], position: &[T; D], radius_squared: T) -> Option<Self> {
+    pub fn within(index: usize, x: &[T; D], position: &[T; D], radius_squared: T) -> Option<Self> {
         let offset = sub(x, position);
         let distance_squared = norm_squared(&offset);
         (distance_squared < radius_squared).then_some(Self { index, offset, distance_squared })
@@ -80,19 +81,21 @@ pub trait Neighbours<T: Scalar, const D: usize> {
     /// The indices of the samples within the radius, in the order of the visits.
     ///
     /// # Errors
-    /// [`Error::CapacityExceeded`] with the number needed, when there are more than CAP.
+    /// [`Error::CapacityExceeded`] with the number needed: of [`Neighbours`](crate::Parameter::Neighbours), when there are
+    /// more than CAP; of [`Position`](crate::Parameter::Position)s, when I is too narrow for the index of one of them.
     fn list<const CAP: usize, I: Index>(
         &self,
         x: &[T; D],
         radius: T,
     ) -> Result<NeighbourList<CAP, I>, Error> {
         let mut list = NeighbourList::new();
-        let mut needed = 0;
+        let (mut needed, mut largest) = (0, 0);
         self.for_each(x, radius, |neighbour| {
             needed += 1;
+            largest = neighbour.index.max(largest);
             list.push_if_room(neighbour.index);
         });
-        list.complete(needed)
+        list.complete(needed, largest)
     }
 }
 
