@@ -188,17 +188,17 @@ impl<T: Scalar, const D: usize> Influence<T, D> for AnyInfluence<T, D> {
         each_variant!(self, w => w.support_radius())
     }
 
-    #[inline]
+    #[inline(never)]
     fn influence(&self, distance_squared: T) -> T {
         each_variant!(self, w => w.influence(distance_squared))
     }
 
-    #[inline]
+    #[inline(never)]
     fn gradient(&self, x: &[T; D], distance_squared: T) -> [T; D] {
         each_variant!(self, w => w.gradient(x, distance_squared))
     }
 
-    #[inline]
+    #[inline(never)]
     fn both(&self, x: &[T; D], distance_squared: T) -> (T, [T; D]) {
         each_variant!(self, w => w.both(x, distance_squared))
     }

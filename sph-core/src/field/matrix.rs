@@ -4,6 +4,7 @@ use crate::Scalar;
 
 /// The solution of M x = b by Gaussian elimination with partial pivoting; `None` where a pivot vanishes or the result is
 /// not finite.
+#[inline(never)]
 pub(super) fn solve<T: Scalar, const D: usize>(mut m: [[T; D]; D], mut b: [T; D]) -> Option<[T; D]> {
     for column in 0..D {
         let pivot = largest_below(&m, column);
@@ -43,6 +44,7 @@ fn largest_below<T: Scalar, const D: usize>(m: &[[T; D]; D], column: usize) -> u
 /// The smallest and the largest eigenvalue of a symmetric matrix, by cyclic Jacobi rotations.
 ///
 /// Source: G. H. Golub, C. F. Van Loan, *Matrix Computations*, 4th ed. (2013), sect. 8.5.
+#[inline(never)]
 pub(super) fn extreme_eigenvalues<T: Scalar, const D: usize>(mut m: [[T; D]; D]) -> (T, T) {
     const SWEEPS: usize = 12;
     for _ in 0..SWEEPS {
@@ -61,6 +63,7 @@ pub(super) fn extreme_eigenvalues<T: Scalar, const D: usize>(mut m: [[T; D]; D])
 }
 
 /// One rotation that takes M[p][q] to zero.
+#[inline(never)]
 fn rotate<T: Scalar, const D: usize>(m: &mut [[T; D]; D], p: usize, q: usize) {
     let off = m[p][q];
     if off == T::ZERO {
