@@ -8,7 +8,8 @@ use zip::{CompressionMethod, DateTime, ZipWriter};
 
 use super::{Column, Precision, Table};
 
-/// Writes coordinates as float64 and the other columns at the table's precision, deflated, with a fixed time stamp.
+/// Writes coordinates as float64 and the other columns at the table's precision, stored as `numpy.savez` does, with a fixed time
+/// stamp.
 pub(super) fn write(table: &Table, writer: impl Write + Seek) -> io::Result<()> {
     let mut archive = ZipWriter::new(writer);
     for column in &table.coordinates {
@@ -28,7 +29,7 @@ fn write_array(
 ) -> io::Result<()> {
     const HEADER: u64 = 1 << 16;
     let options = SimpleFileOptions::default()
-        .compression_method(CompressionMethod::Deflated)
+        .compression_method(CompressionMethod::Stored)
         .last_modified_time(DateTime::default())
         .unix_permissions(0o644)
         .large_file(column.values.len() as u64 * 8 + HEADER > u64::from(u32::MAX));
