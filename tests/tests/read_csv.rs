@@ -59,7 +59,7 @@ fn text_harms_only_where_it_is_used() {
     assert_eq!(problem("temp"), "line 4, column `temp`: `-` where a number is expected");
     assert_eq!(problem("kind"), "line 2, column `kind`: `air` where a number is expected");
     assert_eq!(problem("note"), "line 2, column `note`: the cell is empty where a number is expected");
-    assert_eq!(problem("X"), "`X` is a coordinate, not a quantity");
+    assert_eq!(problem("X"), "line 1: `X` is a coordinate, not a quantity");
     assert!(problem("foo").contains("`temp`"));
     assert_eq!(table.locate(3), "line 7");
 }
@@ -72,8 +72,8 @@ fn headers_at_fault() {
     assert_eq!(error("x,,m\n1,2,3\n"), "line 1, column 2: the name is missing");
     assert!(error("1,2\n3,4\n").starts_with("line 1, column 1: `1` is a number"));
     assert!(error("a;b\n").contains("no column is called `x`; there are `a;b`"));
-    assert_eq!(error("y,m\n"), "there is a `y` but no `x`");
-    assert_eq!(error("x,z\n"), "there is a `z` but no `y`");
+    assert_eq!(error("y,m\n"), "line 1: there is a `y` but no `x`");
+    assert_eq!(error("x,z\n"), "line 1: there is a `z` but no `y`");
     assert!(error(b"x,\xff\n").contains("not UTF-8"));
 }
 
@@ -99,7 +99,7 @@ fn dimensions_follow_the_columns() {
 #[test]
 fn masses_and_densities() {
     let table = table("x,m,Mass,density,h\n0,1,1,nan,2\n1,1,1,0,3\n").unwrap();
-    assert!(message(table.mass().unwrap_err()).starts_with("both `m` and `Mass`"));
+    assert!(message(table.mass().unwrap_err()).starts_with("line 1: both `m` and `Mass`"));
     let density = table.density().unwrap().unwrap();
     let problem = message(table.require_positive(&density).unwrap_err());
     assert_eq!(problem, "line 2, column `density`: NaN where a positive finite number is expected");

@@ -4,6 +4,7 @@ mod kernels;
 mod parse;
 mod sample;
 
+use std::io::Write;
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
@@ -13,7 +14,13 @@ use crate::output;
 
 /// Smoothed Particle Hydrodynamics: fields and gradients out of particle files, and the kernels behind them.
 ///
+/// Results go to stdout or to --out, messages and the progress bar to stderr. A file is written beside its target and renamed:
+/// nothing is half-written, not even after Ctrl-C, and an existing file is kept unless --force is given. Numbers are printed so
+/// that they read back to the same bits; the same input and options give the same bytes, whatever --threads.
+///
 /// Exit status: 0 success, 1 the input or the run is at fault, 2 wrong usage.
+///
+/// Example: fluisim sample demo:vortex --grid 256,256 --out vortex.png
 #[derive(Debug, Parser)]
 #[command(name = "fluisim", version, propagate_version = true)]
 struct Cli {
@@ -45,7 +52,7 @@ pub fn main() -> ExitCode {
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
-            eprintln!("error: {failure}");
+            say(&format!("error: {failure}"));
             ExitCode::from(failure.status())
         }
     }
@@ -54,6 +61,11 @@ pub fn main() -> ExitCode {
 fn prepare() -> Result<(), Failure> {
     output::cleanup_on_interrupt()
         .map_err(|error| Failure::input(format!("cannot watch for interrupts: {error}")))
+}
+
+/// One line on stderr. Where nobody can read it, there is nobody left to tell.
+fn say(line: &str) {
+    let _ = writeln!(std::io::stderr(), "{line}");
 }
 
 /// The result of writing to stdout, where a reader that has gone away is no error.

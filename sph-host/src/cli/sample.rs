@@ -1,7 +1,7 @@
 //! `fluisim sample`: words to [`Request`], table to file.
 
 use std::io::BufWriter;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::time::Instant;
 
 use clap::{ArgGroup, Args};
@@ -9,7 +9,7 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde_json::json;
 
 use super::parse::{self, Bounds, Counts};
-use super::to_stdout;
+use super::{say, to_stdout};
 use crate::demo;
 use crate::failure::Failure;
 use crate::kernel_choice::KernelName;
@@ -29,7 +29,7 @@ use crate::scalar_choice::ScalarName;
 #[command(group = ArgGroup::new("where").required(true).args(["at", "grid", "at_particles"]))]
 pub(super) struct SampleArgs {
     /// A particle file, or demo:vortex, demo:drop, demo:lattice
-    particles: String,
+    particles: PathBuf,
 
     /// Evaluate at the points of this file
     #[arg(long, value_name = "POINTS")]
@@ -41,7 +41,7 @@ pub(super) struct SampleArgs {
     #[arg(long)]
     at_particles: bool,
     /// The grid's box; without it, the particles' bounding box
-    #[arg(long, value_name = "X0,Y0[,Z0],X1,Y1[,Z1]", value_parser = parse::bounds, requires = "grid", allow_hyphen_values = true)]
+    #[arg(long, value_name = "X0,Y0[,Z0],X1,Y1[,Z1]", value_parser = parse::bounds, allow_hyphen_values = true)]
     bounds: Option<Bounds>,
 
     /// The smoothing kernel
@@ -116,7 +116,7 @@ pub(super) fn run(args: SampleArgs) -> Result<(), Failure> {
     }
     let sampled = sample::run(&request, &progress(quiet))?;
     for warning in &sampled.warnings {
-        eprintln!("warning: {warning}");
+        say(&format!("warning: {warning}"));
     }
     let start = Instant::now();
     match &target {
@@ -124,7 +124,7 @@ pub(super) fn run(args: SampleArgs) -> Result<(), Failure> {
         None => to_stdout(output::write_csv(&sampled.table, BufWriter::new(std::io::stdout().lock())))?,
     }
     if timing {
-        eprintln!("timing: {}", timing_line(&sampled, start.elapsed().as_secs_f64()));
+        say(&format!("timing: {}", timing_line(&sampled, start.elapsed().as_secs_f64())));
     }
     Ok(())
 }
@@ -137,8 +137,12 @@ fn request(args: SampleArgs) -> Result<Request, Failure> {
              choose another --kernel",
         ));
     }
+    // clap asks for no --grid where another of its group is there
+    if args.bounds.is_some() && args.grid.is_none() {
+        return Err(Failure::usage("--bounds is the box of a grid: it needs --grid"));
+    }
     let dim = args.dim.map(usize::from);
-    let particles = particulars(&args.particles, args.count)?;
+    let particles = particulars(args.particles, args.count)?;
     let at = match (args.at, args.grid) {
         (Some(path), _) => Where::At(path),
         (None, Some(Counts(counts))) => {
@@ -173,8 +177,8 @@ fn request(args: SampleArgs) -> Result<Request, Failure> {
     })
 }
 
-fn particulars(words: &str, count: Option<usize>) -> Result<Particulars, Failure> {
-    if let Some(name) = words.strip_prefix("demo:") {
+fn particulars(words: PathBuf, count: Option<usize>) -> Result<Particulars, Failure> {
+    if let Some(name) = words.to_str().and_then(|words| words.strip_prefix("demo:")) {
         if demo::SETS.iter().all(|(known, _)| *known != name) {
             return Err(demo::unknown(name));
         }
@@ -183,7 +187,7 @@ fn particulars(words: &str, count: Option<usize>) -> Result<Particulars, Failure
     if count.is_some() {
         return Err(Failure::usage("--particles N sizes a built-in set, not a file"));
     }
-    Ok(Particulars::File(Path::new(words).to_owned()))
+    Ok(Particulars::File(words))
 }
 
 fn check_dimensions(counts: &[usize], bounds: Option<&[f64]>, dim: Option<usize>) -> Result<(), Failure> {

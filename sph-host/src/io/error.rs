@@ -53,6 +53,14 @@ impl Problem {
         Self::Invalid { at: Some(at.into()), problem: problem.into() }
     }
 
+    /// The problem, its place being `place` unless it is known better.
+    pub(super) fn or_at(self, place: &str) -> Self {
+        match self {
+            Self::Invalid { at: None, problem } => Self::at(place, problem),
+            other => other,
+        }
+    }
+
     pub(super) fn in_file(self, file: &str) -> ReadError {
         let file = file.to_owned();
         match self {

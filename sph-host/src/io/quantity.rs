@@ -79,21 +79,32 @@ impl PointTable {
         self.either(DENSITY)
     }
 
+    /// That there is at most one of `m` and `mass`, and of `rho` and `density`, whether they are used or not.
+    ///
+    /// # Errors
+    /// Names the pair.
+    pub fn require_one_name_each(&self) -> Result<(), ReadError> {
+        [MASS, DENSITY].into_iter().try_for_each(|names| self.one_of(names).map(drop))
+    }
+
     fn either(&self, names: [&str; 2]) -> Result<Option<Quantity<'_>>, ReadError> {
+        self.one_of(names)?.map(|array| self.scalar(&array.name)).transpose()
+    }
+
+    fn one_of(&self, names: [&str; 2]) -> Result<Option<&Array>, ReadError> {
         match names.map(|name| self.array(name)) {
             [Some(first), Some(second)] => {
                 let (first, second) = (&first.name, &second.name);
                 let problem = format!("both `{first}` and `{second}` are there: one of them is expected");
-                Err(Problem::new(problem).in_file(&self.source))
+                Err(self.of_names(problem).in_file(&self.source))
             }
-            [Some(array), None] | [None, Some(array)] => self.scalar(&array.name).map(Some),
-            [None, None] => Ok(None),
+            [array, None] | [None, array] => Ok(array),
         }
     }
 
     fn resolve(&self, name: &str) -> Parsed<Quantity<'_>> {
         if AXES.iter().any(|axis| name.eq_ignore_ascii_case(axis)) {
-            return Err(Problem::new(format!("`{name}` is a coordinate, not a quantity")));
+            return Err(self.of_names(format!("`{name}` is a coordinate, not a quantity")));
         }
         if let Some(array) = self.array(name).or_else(|| self.array(other_name(name)?)) {
             return whole(name, array);
@@ -141,7 +152,15 @@ impl PointTable {
     fn unknown(&self, name: &str) -> Problem {
         let known: Vec<String> = self.arrays.iter().map(|array| format!("`{}`", array.name)).collect();
         let known = if known.is_empty() { "nothing but coordinates".to_owned() } else { known.join(", ") };
-        Problem::new(format!("there is no quantity `{name}`; the file has {known}"))
+        self.of_names(format!("there is no quantity `{name}`; the file has {known}"))
+    }
+
+    /// A problem of the names: in a text table, of its header.
+    fn of_names(&self, problem: String) -> Problem {
+        match self.header() {
+            Some(line) => Problem::at(format!("line {line}"), problem),
+            None => Problem::new(problem),
+        }
     }
 
     /// That every number of `quantity` is finite, and so is the span from the least to the greatest.

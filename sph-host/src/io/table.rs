@@ -57,8 +57,8 @@ pub struct Fault {
 /// How a row is named in messages.
 #[derive(Debug, Clone)]
 pub(super) enum Rows {
-    /// By line: pairs of the first row and its line, from where on rows and lines go in step.
-    Lines(Vec<(usize, usize)>),
+    /// By line: the header's, and pairs of the first row and its line, from where on rows and lines go in step.
+    Lines(usize, Vec<(usize, usize)>),
     /// By number, from 0.
     Points,
 }
@@ -66,7 +66,7 @@ pub(super) enum Rows {
 impl Rows {
     /// Notes the line of the next row.
     pub(super) fn push(&mut self, row: usize, line: usize) {
-        if let Self::Lines(steps) = self
+        if let Self::Lines(_, steps) = self
             && steps.last().is_none_or(|&(first, start)| start + (row - first) != line)
         {
             steps.push((row, line));
@@ -76,7 +76,7 @@ impl Rows {
     fn locate(&self, row: usize) -> String {
         match self {
             Self::Points => format!("point {row}"),
-            Self::Lines(steps) => {
+            Self::Lines(_, steps) => {
                 let after = steps.partition_point(|&(first, _)| first <= row);
                 let (first, start) = after.checked_sub(1).map_or((0, 2), |step| steps[step]);
                 format!("line {}", start + (row - first))
@@ -171,10 +171,18 @@ impl PointTable {
         self.rows.locate(row)
     }
 
+    /// The line of the header of a text table.
+    pub(super) fn header(&self) -> Option<usize> {
+        match self.rows {
+            Rows::Lines(header, _) => Some(header),
+            Rows::Points => None,
+        }
+    }
+
     /// Where the file has the value of `array` at point `row`.
     pub(super) fn place(&self, row: usize, array: &str) -> String {
         match self.rows {
-            Rows::Lines(_) => format!("{}, column `{array}`", self.locate(row)),
+            Rows::Lines(..) => format!("{}, column `{array}`", self.locate(row)),
             Rows::Points => format!("{} of array `{array}`", self.locate(row)),
         }
     }

@@ -152,6 +152,11 @@ impl<T: Scalar, const D: usize> Sums<'_, T, D> {
 
     /// One row of the result at x.
     fn row(&self, x: &[T; D], buffer: &mut Vec<Contribution<T, D>>, row: &mut Row<'_>) {
+        // a scalar that stays at the end of its range would put the point there
+        if x.iter().any(|component| !component.is_finite() && component.to_f64().is_finite()) {
+            row.counts.overflowed += row.cells.len();
+            return;
+        }
         let stencil =
             Stencil::gather(buffer, &self.scene.search(), self.scene.influences(), x, self.gradient);
         row.counts.out_of_reach += usize::from(stencil.is_empty());

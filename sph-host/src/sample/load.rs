@@ -63,13 +63,15 @@ pub(super) fn particles(request: &Request) -> Result<Particles, Failure> {
     if table.is_empty() {
         return Err(Failure::input(format!("{}: there are no particles in it", table.source)));
     }
-    let dim = dimensions(&table, request.dim)?;
     table.require_finite_coordinates()?;
+    let dim = dimensions(&table, request.dim)?;
+    table.require_one_name_each()?;
     let masses = masses(&table, request)?;
     let densities = densities(&table, request)?;
     if masses.is_none() && (request.estimate != Estimate::Shepard || request.recompute_density) {
         return Err(Failure::input(format!(
-            "{}: there is no mass: neither a column `m` or `mass` nor --mass; only --estimate shepard does without",
+            "{}: there is no mass: neither a column `m` or `mass` nor --mass; only --estimate shepard does without, \
+             and not where densities are summed",
             table.source
         )));
     }
@@ -141,9 +143,11 @@ fn densities(table: &PointTable, request: &Request) -> Result<Option<Vec<f64>>, 
 fn support(table: &PointTable, request: &Request, own: Option<f64>, dim: usize) -> Result<Support, Failure> {
     let ratio = request.kernel.support_ratio();
     let column = |name: &str, factor: f64| -> Result<Support, Failure> {
-        let column = table.scalar(name)?;
+        let mut column = table.scalar(name)?;
         table.require_positive(&column)?;
-        Ok(Support::PerParticle(column.values.iter().map(|h| h * factor).collect()))
+        column.values.to_mut().iter_mut().for_each(|h| *h *= factor);
+        table.require_positive(&column)?;
+        Ok(Support::PerParticle(column.values.into_owned()))
     };
     match &request.support {
         Some(SupportFrom::Radius(h)) => Ok(Support::Uniform(*h)),
@@ -201,12 +205,13 @@ fn quantities(table: &PointTable, request: &Request) -> Result<Vec<Values>, Fail
         let components = quantity.components();
         for (component, label) in quantity.labels.iter().enumerate() {
             // `density` is the name of the sum of Thm 3.2 in the result.
-            let name = if label == "density" { "density_interpolated" } else { label };
-            if quantities.iter().any(|known| known.name == name) {
-                continue;
-            }
+            let name = if label.eq_ignore_ascii_case("density") { "density_interpolated" } else { label };
             let values = quantity.values.iter().skip(component).step_by(components).copied().collect();
-            quantities.push(Values { name: name.to_owned(), values });
+            let values = Values { name: name.to_owned(), values };
+            // asked for twice, once by component perhaps; others of one name are for the table to refuse
+            if !quantities.contains(&values) {
+                quantities.push(values);
+            }
         }
     }
     Ok(quantities)

@@ -48,6 +48,9 @@ pub struct Sampled {
     pub timing: Timing,
 }
 
+/// More threads than this help nobody and take long to start.
+const MOST_THREADS: usize = 256;
+
 /// Does what a request asks for.
 ///
 /// # Errors
@@ -61,7 +64,7 @@ pub fn run(request: &Request, progress: &ProgressBar) -> Result<Sampled, Failure
 
     progress.set_length(points.len() as u64);
     let pool = rayon::ThreadPoolBuilder::new()
-        .num_threads(request.threads.unwrap_or(0))
+        .num_threads(request.threads.map_or(0, |threads| threads.min(MOST_THREADS)))
         .build()
         .map_err(|error| Failure::input(format!("cannot start the threads: {error}")))?;
     let done = pool.install(|| {

@@ -80,14 +80,18 @@ fn grid(counts: &[usize], bounds: Option<&[f64]>, particles: &Particles) -> Resu
 /// Refuses what cannot fit in memory, before anything is read.
 pub(super) fn refuse_oversize(request: &Request) -> Result<(), Failure> {
     let fields = request.quantities.len().max(1) as f64 + 1.0;
-    let (points, dim) = match (&request.at, &request.particles) {
-        (Where::Grid { counts, .. }, _) => (counts.iter().map(|&n| n as f64).product(), counts.len()),
-        (Where::AtParticles, Particulars::Demo(_, Some(particles))) => (*particles as f64, 3),
-        _ => return Ok(()),
+    let particles = match &request.particles {
+        Particulars::Demo(_, Some(particles)) => *particles as f64,
+        _ => 0.0,
+    };
+    let (points, dim): (f64, _) = match &request.at {
+        Where::Grid { counts, .. } => (counts.iter().map(|&n| n as f64).product(), counts.len()),
+        Where::AtParticles => (particles, 3),
+        Where::At(_) => (0.0, 3),
     };
     let columns = fields * (1.0 + if request.gradient { dim as f64 } else { 0.0 });
-    // coordinates and columns as f64, the columns once more while they are gathered
-    let bytes: f64 = points * 8.0 * (dim as f64 + 2.0 * columns);
+    // coordinates and columns as f64, the columns once more while they are gathered; a built-in set's particles likewise
+    let bytes = points * 8.0 * (dim as f64 + 2.0 * columns) + particles * 8.0 * 16.0;
     // Where the system does not say, there is nothing to refuse by.
     let Ok(mut system) = System::new() else { return Ok(()) };
     system.refresh_memory();
@@ -97,7 +101,8 @@ pub(super) fn refuse_oversize(request: &Request) -> Result<(), Failure> {
     }
     let gigabytes = |bytes: f64| format!("{:.3} GB", bytes / 1e9);
     Err(Failure::input(format!(
-        "the result has {points} points and needs {}, but {} of memory are free",
+        "the result has {points} points{} and needs {}, but {} of memory are free",
+        if particles > 0.0 { format!(" from {particles} particles") } else { String::new() },
         gigabytes(bytes),
         gigabytes(available)
     )))

@@ -46,7 +46,12 @@ impl<T: Scalar, const D: usize> Scene<T, D> {
                 "{source}: particle {j} at {x:?}, in units of {h}, does not fit {name}"
             )));
         }
-        let layout = layout(&read, reach(particles, units)).map_err(failed)?;
+        let layout = layout(&read, reach(particles, units)).map_err(|error| {
+            let (name, h) = (T::NAME, units.length);
+            Failure::input(format!(
+                "{source}: what the particles span, in units of {h}, does not fit {name}: {error}"
+            ))
+        })?;
         let (mut starts, mut entries) = (vec![0; layout.cells() + 1], vec![0; read.len()]);
         let order =
             CellGrid::build(layout, &read, &mut starts, &mut entries).map_err(failed)?.entries().to_vec();

@@ -31,12 +31,16 @@ impl<const D: usize> Units<D> {
         };
         let boxes: [(f64, f64); D] = std::array::from_fn(|axis| load::bounds(&particles.coordinates[axis]));
         let volume: f64 = boxes.iter().map(|(lower, upper)| ((upper - lower) / length).max(1.0)).product();
-        let largest_mass = particles.masses.as_ref().map_or(1.0, |masses| load::bounds(masses).1);
         let magnitude = |values: &[f64]| values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
         Self {
             origin: boxes.map(|(lower, upper)| lower + (upper - lower) / 2.0),
             length,
-            mass: largest_mass * particles.len() as f64 / volume,
+            mass: match (&particles.masses, &particles.densities) {
+                (Some(masses), _) => load::bounds(masses).1 * particles.len() as f64 / volume,
+                // weights 1 / ρ: the largest density becomes 1
+                (None, Some(densities)) => load::bounds(densities).1 * length.powi(D as i32),
+                (None, None) => 1.0,
+            },
             quantities: particles
                 .quantities
                 .iter()

@@ -25,7 +25,7 @@ pub(super) fn read(input: impl BufRead, delimiter: u8) -> Parsed<PointTable> {
         return Err(Problem::new("there is no header, nothing but blank lines and comments"));
     };
     let mut columns = columns(header, &records)?;
-    let mut rows = Rows::Lines(Vec::new());
+    let mut rows = Rows::Lines(header, Vec::new());
     let mut row = 0;
     while let Some(line) = records.advance()? {
         if records.len() != columns.len() {
@@ -41,7 +41,8 @@ pub(super) fn read(input: impl BufRead, delimiter: u8) -> Parsed<PointTable> {
     }
     let names: Vec<String> = columns.iter().map(|column| shown(column.name.as_bytes())).collect();
     let mut arrays: Vec<Array> = columns.into_iter().map(Column::finish).collect();
-    let coordinates = take_coordinates(&mut arrays)?;
+    let coordinates =
+        take_coordinates(&mut arrays).map_err(|problem| problem.or_at(&format!("line {header}")))?;
     if coordinates.is_empty() {
         let problem = format!("no column is called `x`; there are {}", names.join(", "));
         return Err(Problem::at(format!("line {header}"), problem));

@@ -1,0 +1,14 @@
+//! The command `fluisim` from outside: what is promised of `sample` and `kernels`, sentence by sentence.
+
+mod columns;
+mod csv_files;
+mod data_errors;
+mod files;
+mod grids;
+mod kernels;
+mod numbers;
+mod oracle;
+mod process;
+mod scalars;
+mod support;
+mod words;
