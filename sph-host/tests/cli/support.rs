@@ -121,10 +121,6 @@ impl Columns {
         let index = self.names.iter().position(|known| known == name);
         &self.values[index.unwrap_or_else(|| panic!("no `{name}` among {:?}", self.names))]
     }
-
-    pub(crate) fn rows(&self) -> usize {
-        self.values[0].len()
-    }
 }
 
 /// |a − b| ≤ `relative` · max(|a|, |b|, `scale`), or both are NaN.
