@@ -5,6 +5,8 @@
 //! printed  V(D, h) = ∫₀ʰ B(D, r) ω dr = B(D, 1) M_{D+1} h^{D+1+p}    as in the paper
 //! half line          ∫₀ʰ ω dr = M₁ h^{1+p}                           Def. 1.2 asks for 1
 //! ```
+//!
+//! In one dimension, and on the half line, ω is [`Kernel::raw_in_1d`]; in more it is [`Kernel::raw`].
 
 use crate::ball;
 use crate::kernel::{Kernel, radial_moment};
@@ -39,10 +41,10 @@ pub fn printed<K: Kernel>(dim: u32, support_radius: f64) -> f64 {
 /// ∫₀ʰ ω(h, r) dr, which Def. 1.2 wants to be 1: divide ω by it for a kernel normalised on the half line.
 ///
 /// ```
-/// use sph_core::{influence::volume, kernel::{Kernel, Poly6}, quadrature};
+/// use sph_core::{influence::volume, kernel::{Kernel, WendlandC2}, quadrature};
 /// let h = 1.5;
-/// let norm = volume::half_line::<Poly6>(h);
-/// let total = quadrature::integrate(|r| Poly6::raw(h, r) / norm, 0.0, h);
+/// let norm = volume::half_line::<WendlandC2>(h);
+/// let total = quadrature::integrate(|r| WendlandC2::raw_in_1d(h, r) / norm, 0.0, h);
 /// assert!((total - 1.0).abs() < 1e-14);
 /// ```
 pub fn half_line<K: Kernel>(support_radius: f64) -> f64 {

@@ -47,26 +47,29 @@ pub use wendland_c6::WendlandC6;
 use crate::vector::scale;
 use crate::{Arithmetic, Scalar};
 
-/// A smoothing kernel ω by its shape f(q) = ω(h, q h) / ω-unit: continuous, non-negative, zero for q ≥ 1 (Def. 1.1).
+/// A smoothing kernel ω by its shape f(q) = ω(h, q h) / ω-unit: continuous, non-negative, zero for q ≥ 1 (Def. 1.1),
+/// where its slope is zero as well, so that the gradient ends with the kernel.
 ///
 /// `profile` and `slope` are all that a kernel must bring; [`conformance::check`] tests the laws. The smallest one:
 ///
 /// ```
-/// use sph_core::{Arithmetic, KernelInfluence, kernel::Kernel};
+/// use sph_core::kernel::{Kernel, conformance};
+/// use sph_core::{Arithmetic, KernelInfluence};
 ///
 /// #[derive(Clone, Copy, Debug)]
-/// struct Cone;
-/// impl Kernel for Cone {
+/// struct Bowl; // (1 − q)²
+/// impl Kernel for Bowl {
 ///     fn profile<T: Arithmetic>(q: T) -> T {
-///         (T::ONE - q).positive_part()
+///         (T::ONE - q).positive_part().pow::<2>()
 ///     }
-///     fn slope<T: Arithmetic>(_: T) -> T {
-///         -T::ONE
+///     fn slope<T: Arithmetic>(q: T) -> T {
+///         (T::ONE - q).positive_part().times(-2)
 ///     }
 /// }
-/// // σ₂ = 3/π by quadrature
-/// let cone = KernelInfluence::<f64, 2, Cone>::new(1.0).unwrap();
-/// assert!((cone.normalisation() - 3.0 / core::f64::consts::PI).abs() < 1e-14);
+/// assert_eq!(conformance::check::<Bowl, f64>(), Ok(()));
+/// // σ₂ = 6/π by quadrature
+/// let bowl = KernelInfluence::<f64, 2, Bowl>::new(1.0).unwrap();
+/// assert!((bowl.normalisation() - 6.0 / core::f64::consts::PI).abs() < 1e-14);
 /// ```
 pub trait Kernel: Copy + core::fmt::Debug + Send + Sync + 'static {
     /// Support radius / smoothing length of the field's custom, as a fraction.
@@ -83,7 +86,7 @@ pub trait Kernel: Copy + core::fmt::Debug + Send + Sync + 'static {
     /// f(q) for q ≥ 0, without unit.
     fn profile<T: Arithmetic>(q: T) -> T;
 
-    /// f′(q), signed: never positive. Only its values on [0, 1] count.
+    /// f′(q), signed: never positive, and zero for q = 1. Only its values on [0, 1] count.
     fn slope<T: Arithmetic>(q: T) -> T;
 
     /// f in one dimension, where that has another form (Wendland's functions).
@@ -133,10 +136,20 @@ pub trait Kernel: Copy + core::fmt::Debug + Send + Sync + 'static {
         if r > support_radius {
             return T::ZERO;
         }
-        let mut unit = T::ONE;
-        for _ in 0..Self::RAW_POWER {
-            unit = unit * support_radius;
-        }
-        unit * Self::profile(r / support_radius)
+        raw_unit::<Self, T>(support_radius) * Self::profile(r / support_radius)
     }
+
+    /// The raw form of the profile that is used in one dimension: what Def. 1.2 normalises by
+    /// [`half_line`](crate::influence::volume::half_line).
+    fn raw_in_1d<T: Scalar>(support_radius: T, r: T) -> T {
+        if r > support_radius {
+            return T::ZERO;
+        }
+        raw_unit::<Self, T>(support_radius) * Self::profile_in_1d(r / support_radius)
+    }
+}
+
+/// h^p
+fn raw_unit<K: Kernel, T: Scalar>(support_radius: T) -> T {
+    (0..K::RAW_POWER).fold(T::ONE, |unit, _| unit * support_radius)
 }

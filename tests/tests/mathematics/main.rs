@@ -1,0 +1,39 @@
+//! The mathematics of `sph-core`, held against closed forms, quadrature, lattice sums and fields that are known.
+
+mod cloud;
+mod conformance;
+mod constants;
+mod convergence;
+mod density;
+mod differences;
+mod edges;
+mod exactness;
+mod influence;
+mod operators;
+
+/// Runs a generic expression for each of the eight kernels that can make a density.
+macro_rules! each_kernel {
+    ($K:ident => $body:expr) => {{
+        each_kernel!(@ $K, $body, Poly6, Spiky, CubicSpline, QuarticSpline, QuinticSpline, WendlandC2, WendlandC4, WendlandC6);
+    }};
+    (@ $K:ident, $body:expr, $($Kernel:ident),*) => {
+        $({
+            type $K = sph_core::kernel::$Kernel;
+            $body
+        })*
+    };
+}
+pub(crate) use each_kernel;
+
+/// |found − expected| ≤ tolerance · scale, said with the figures when it is not so.
+#[track_caller]
+fn assert_near(found: f64, expected: f64, tolerance: f64, what: &str) {
+    let error = (found - expected).abs();
+    assert!(error <= tolerance, "{what}: found {found:e}, expected {expected:e}, off by {error:e}");
+}
+
+/// The name of a type without its path.
+fn name<K>() -> &'static str {
+    let path = std::any::type_name::<K>();
+    path.rsplit("::").next().unwrap_or(path)
+}
