@@ -36,11 +36,6 @@ pub struct LinearFit<T, const D: usize> {
     pub gradient: [T; D],
 }
 
-/// The smallest reciprocal condition number that is accepted: 1e-8 in f64, 1e-4 in narrower types.
-fn least_reciprocal_condition<T: Scalar>() -> T {
-    if T::EPSILON.to_f64() < 1e-12 { T::from_f64(1e-8) } else { T::from_f64(1e-4) }
-}
-
 impl<T: Scalar, const D: usize, N: Neighbours<T, D>, M: PerSample<T>> Sources<T, D, N, M> {
     /// The moments about x, the weights being volumes; `None` where the matrix of moments, in units of the support radius, has
     /// a condition number above 1e8 (f64) or 1e4 (narrower types): too few neighbours, or all of them in a plane.
@@ -91,8 +86,7 @@ fn is_well_conditioned<T: Scalar, const D: usize>(m0: T, m1: &[T; D], m2: &[[T; 
             moments[a + 1][b + 1] = m2[a][b] * scale * scale;
         }
     }
-    let (smallest, largest) = matrix::extreme_eigenvalues(moments);
-    smallest > largest * least_reciprocal_condition()
+    matrix::is_well_conditioned(moments)
 }
 
 impl<T: Scalar, const D: usize, N: Neighbours<T, D>, M: PerSample<T>, V: PerSample<T>>

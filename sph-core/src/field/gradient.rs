@@ -90,7 +90,7 @@ impl<T: Scalar, const D: usize, N: Neighbours<T, D>, M: PerSample<T>, V: PerSamp
     }
 
     /// The difference form corrected to be exact for linear A; `None` where there is no such sample, or where its neighbours
-    /// do not span the D directions.
+    /// do not span the D directions: L_i has a condition number above 1e8 (f64) or 1e4 (narrower types).
     pub fn corrected_gradient(&self, w: impl InfluenceOf<T, D>, i: usize) -> Option<[T; D]> {
         let (x, own) = self.sample(i)?;
         let mut sum = <[T; D] as Quantity<T>>::EMPTY;
@@ -104,6 +104,11 @@ impl<T: Scalar, const D: usize, N: Neighbours<T, D>, M: PerSample<T>, V: PerSamp
                 }
             }
         });
-        matrix::solve(rows.map(<[T; D]>::total), <[T; D]>::total(sum))
+        // ∇W is along x_ij and against it, so L_i is symmetric and positive semidefinite
+        let correction = rows.map(<[T; D]>::total);
+        if !matrix::is_well_conditioned(correction) {
+            return None;
+        }
+        matrix::solve(correction, <[T; D]>::total(sum))
     }
 }
