@@ -131,16 +131,16 @@ broken!(a_term_off_by_a_millionth_breaks_the_moments, Moments,
     const TERMS: &'static [Term] = &[Term::new(1.0, 0.999_999, 3, 0)];);
 
 broken!(a_profile_of_the_square_that_forgets_the_root_disagrees, Agreement,
-    profile: |q: T| p(q).pow::<3>(), slope: |q: T| p(q).pow::<2>().times(-3),
-    fn profile_of_square<T: Scalar, const D: usize>(s: T) -> T {
-        p(s).pow::<3>()
-    });
+profile: |q: T| p(q).pow::<3>(), slope: |q: T| p(q).pow::<2>().times(-3),
+fn profile_of_square<T: Scalar, const D: usize>(s: T) -> T {
+    p(s).pow::<3>()
+});
 
 broken!(a_slope_vector_that_is_not_along_x_disagrees, Agreement,
-    profile: |q: T| p(q).pow::<3>(), slope: |q: T| p(q).pow::<2>().times(-3),
-    fn slope_vector<T: Scalar, const D: usize>(u: &[T; D], s: T) -> [T; D] {
-        u.map(|component| (component * p(s.sqrt()).pow::<2>()).times(-3))
-    });
+profile: |q: T| p(q).pow::<3>(), slope: |q: T| p(q).pow::<2>().times(-3),
+fn slope_vector<T: Scalar, const D: usize>(u: &[T; D], s: T) -> [T; D] {
+    u.map(|component| (component * p(s.sqrt()).pow::<2>()).times(-3))
+});
 
 /// The form of one dimension is checked as well: D = 1 is named.
 #[test]

@@ -101,7 +101,11 @@ fn shell_volume_of_the_raw_form_is_the_normalisation() {
             for h in [0.37_f64, 2.9] {
                 let unit = h.powi((dim + K::RAW_POWER) as i32);
                 let sigma = unit / volume::shell::<K>(dim, h);
-                assert!(relative(sigma, normalisation::<K>(dim)) < 1e-14, "{}, D = {dim}", crate::name::<K>());
+                assert!(
+                    relative(sigma, normalisation::<K>(dim)) < 1e-14,
+                    "{}, D = {dim}",
+                    crate::name::<K>()
+                );
             }
         }
     }

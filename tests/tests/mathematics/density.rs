@@ -19,13 +19,13 @@ fn lattice_errors<K: Kernel, const D: usize>(ratio: f64) -> [f64; 2] {
     [sample, between].map(|x| sources.density_at(&w, &x) / rest - 1.0)
 }
 
-/// The lattice's error falls with h/Δx: below 20 % at 2, 3 % at 3.5 and 1 % at 5 for all kernels and D = 1, 2, 3.
+/// The lattice's error for h/Δx = 2, 3.5 and 5 in D = 1, 2, 3: at most 20 %, 0.3 % and 0.1 %, but for spiky's cusp.
 #[test]
 fn uniform_lattices_give_their_density() {
     fn check<K: Kernel, const D: usize>() {
-        for (ratio, tolerance) in [(2.0, 0.35), (3.5, 0.05), (5.0, 0.02)] {
+        let tolerances = if name::<K>() == "Spiky" { [0.3, 0.1, 0.05] } else { [0.2, 3e-3, 1e-3] };
+        for (ratio, tolerance) in [2.0, 3.5, 5.0].into_iter().zip(tolerances) {
             for error in lattice_errors::<K, D>(ratio) {
-                println!("{} D = {D}, h/dx = {ratio}: {error:e}", name::<K>());
                 assert_near(error, 0.0, tolerance, &format!("{}, D = {D}, h/Δx = {ratio}", name::<K>()));
             }
         }

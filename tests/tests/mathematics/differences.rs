@@ -39,7 +39,8 @@ fn exact_on_polynomials_of_degree_n_plus_one() {
                 for step in [0.25, 0.4, 1.0] {
                     let exact = monomial(degree, n, x);
                     let reach = x.abs() + n as f64 * step;
-                    let rounding = 4.0 * (degree + 1) as f64 * reach.powi(degree as i32) / step.powi(n as i32);
+                    let rounding =
+                        4.0 * (degree + 1) as f64 * reach.powi(degree as i32) / step.powi(n as i32);
                     let found = difference::nth(|x: f64| x.powi(degree as i32), n, x, step);
                     let what = format!("n = {n}, degree {degree}, x = {x}, s = {step}");
                     assert_near(found, exact, rounding * f64::EPSILON, &what);

@@ -4,7 +4,8 @@ use crate::assert_near;
 use crate::cloud::jittered;
 use sph_core::kernel::{CubicSpline, Poly6, WendlandC2};
 use sph_core::{
-    BruteForce, Error, Field, KernelInfluence, Neighbours, Parameter, PerSampleInfluence, Sources, Uniform, field,
+    BruteForce, Error, Field, KernelInfluence, Neighbours, Parameter, PerSampleInfluence, Sources, Uniform,
+    field,
 };
 
 type Cubic<const D: usize> = KernelInfluence<f64, D, CubicSpline>;
@@ -153,7 +154,8 @@ fn four_dimensions() {
     let positions = jittered::<4>(count, 0.1, 31);
     let plane = |x: &[f64; 4]| 1.0 + x[0] - 2.0 * x[1] + 3.0 * x[2] - 4.0 * x[3];
     let values: Vec<f64> = positions.iter().map(plane).collect();
-    let sources = Sources::new(BruteForce::new(&positions).unwrap(), Uniform((count as f64).powi(-4))).unwrap();
+    let sources =
+        Sources::new(BruteForce::new(&positions).unwrap(), Uniform((count as f64).powi(-4))).unwrap();
     let field = Field::new(&sources, values.as_slice()).unwrap();
     let w = KernelInfluence::<f64, 4, WendlandC2>::new(h).unwrap();
     let x = [0.5, 0.45, 0.55, 0.5];

@@ -127,7 +127,10 @@ fn difference_form_ends_constants_and_symmetric_form_conserves() {
         }
     }
     assert!(total.iter().all(|t| t.abs() < 1e-13 * largest * pressure.len() as f64), "{total:?}");
-    assert!(plain.iter().any(|t| t.abs() > 1e-3 * largest), "the difference form does not conserve: {plain:?}");
+    assert!(
+        plain.iter().any(|t| t.abs() > 1e-3 * largest),
+        "the difference form does not conserve: {plain:?}"
+    );
 }
 
 /// ρ_i Σ m_j (A_i/ρ_i² + A_j/ρ_j²) ∇W_ij by an explicit sum over all pairs.
@@ -170,8 +173,7 @@ fn vectors_interpolate_as_their_components_do() {
         let component: Vec<f64> = velocity.iter().map(|v| v[axis]).collect();
         let scalars = Field::new(&sources, component.as_slice()).unwrap();
         for x in [[0.3, 0.4], [0.0, 1.0], [0.77, 0.5]] {
-            let [a, b]: [[f64; 2]; 2] =
-                [vectors.interpolate_at(&w, &x), vectors.shepard_at(&w, &x).unwrap()];
+            let [a, b]: [[f64; 2]; 2] = [vectors.interpolate_at(&w, &x), vectors.shepard_at(&w, &x).unwrap()];
             let [c, d]: [f64; 2] = [scalars.interpolate_at(&w, &x), scalars.shepard_at(&w, &x).unwrap()];
             assert_eq!([a[axis], b[axis]], [c, d]);
         }

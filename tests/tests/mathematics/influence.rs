@@ -135,13 +135,12 @@ fn gradient_points_toward_the_sample() {
 #[test]
 fn spiky_gradient_has_its_closed_form() {
     for h in RADII {
-        let [w3, w2] = [
-            KernelInfluence::<f64, 3, Spiky>::new(h).unwrap().gradient_at(&[0.2 * h, 0.0, -0.3 * h]),
-            {
-                let [x, y] = KernelInfluence::<f64, 2, Spiky>::new(h).unwrap().gradient_at(&[0.2 * h, -0.3 * h]);
+        let [w3, w2] =
+            [KernelInfluence::<f64, 3, Spiky>::new(h).unwrap().gradient_at(&[0.2 * h, 0.0, -0.3 * h]), {
+                let [x, y] =
+                    KernelInfluence::<f64, 2, Spiky>::new(h).unwrap().gradient_at(&[0.2 * h, -0.3 * h]);
                 [x, y, 0.0]
-            },
-        ];
+            }];
         let q = 0.13_f64.sqrt();
         let in_3d = -45.0 / (PI * h.powi(6)) * (h - q * h).powi(2);
         let in_2d = -30.0 / (PI * h.powi(5)) * (h - q * h).powi(2);

@@ -41,8 +41,13 @@ fn jacobian_of_a_linear_field_in_2d() {
 fn curl_and_divergence_in_3d() {
     let (count, h) = (14, 3.5 / 14.0);
     let omega = [0.3, -0.7, 1.1];
-    let rotation =
-        |x: &[f64; 3]| [omega[1] * x[2] - omega[2] * x[1], omega[2] * x[0] - omega[0] * x[2], omega[0] * x[1] - omega[1] * x[0]];
+    let rotation = |x: &[f64; 3]| {
+        [
+            omega[1] * x[2] - omega[2] * x[1],
+            omega[2] * x[0] - omega[0] * x[2],
+            omega[0] * x[1] - omega[1] * x[0],
+        ]
+    };
     let strain = |x: &[f64; 3]| [x[0], 2.0 * x[1], -5.0 * x[2]];
     let mut grid = Grid::new(jittered::<3>(count, 0.0, 1), h, false);
     let rotating: Vec<[f64; 3]> = grid.positions.iter().map(rotation).collect();
@@ -74,7 +79,8 @@ fn laplacian_of_squares() {
         let mut grid = Grid::new(jittered::<D>(count, jitter, 1), h, false);
         let squares: Vec<f64> = grid.positions.iter().map(norm_squared).collect();
         let linear: Vec<f64> = grid.positions.iter().map(|x| 5.0 * x[0]).collect();
-        let sources = Sources::new(grid.search().unwrap(), Uniform((count as f64).powi(-(D as i32)))).unwrap();
+        let sources =
+            Sources::new(grid.search().unwrap(), Uniform((count as f64).powi(-(D as i32)))).unwrap();
         let w = KernelInfluence::<f64, D, WendlandC4>::new(h).unwrap();
         let [squares, linear] = [&squares, &linear].map(|v| Field::new(&sources, v.as_slice()).unwrap());
         let inside: Vec<usize> =
