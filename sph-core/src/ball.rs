@@ -62,6 +62,17 @@ pub(crate) fn power<T: Scalar, const D: usize>(x: T) -> T {
     power
 }
 
+/// c x for a positive constant c that may be beyond the scalar's range where c x is not: 20 x in a type that ends at 8.
+#[inline(always)]
+pub(crate) fn constant_times<T: Scalar>(constant: f64, x: T) -> T {
+    const PARTS: i32 = 64;
+    if constant < T::MAX.to_f64() {
+        x * T::from_f64(constant)
+    } else {
+        (x * T::from_f64(constant / PARTS as f64)).times(PARTS)
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -24,15 +24,17 @@ const RULE: [(f64, f64); 4] = [
 /// ```
 pub fn integrate<T: Scalar>(f: impl Fn(T) -> T, a: T, b: T) -> T {
     let half = (b - a) * T::ratio(1, 2 * PANELS);
-    let mut sum = T::ZERO;
+    let mut integral = T::ZERO;
     for panel in 0..PANELS {
         let centre = a + half.times(2 * panel + 1);
+        let mut sum = T::ZERO;
         for (node, weight) in RULE {
             let offset = half * T::from_f64(node);
             sum += T::from_f64(weight) * (f(centre - offset) + f(centre + offset));
         }
+        integral += sum * half;
     }
-    sum * half
+    integral
 }
 
 #[cfg(test)]

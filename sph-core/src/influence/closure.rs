@@ -34,9 +34,9 @@ impl<T: Scalar, const D: usize, F: Fn(T, T) -> T> ClosureInfluence<T, D, F> {
     /// finite and positive in the scalar.
     pub fn new(support_radius: T, raw: F) -> Result<Self, Error> {
         check::positive(support_radius, Parameter::SupportRadius, 0)?;
-        let surface = T::from_f64(const { ball::unit_surface(D as u32) });
+        let surface = const { ball::unit_surface(D as u32) };
         let shell = |r: T| (1..D).fold(raw(support_radius, r), |product, _| product * r);
-        let volume = surface * quadrature::integrate(shell, T::ZERO, support_radius);
+        let volume = ball::constant_times(surface, quadrature::integrate(shell, T::ZERO, support_radius));
         check::representable(volume, Parameter::Normalisation)?;
         let inverse_volume = T::ONE / volume;
         check::representable(inverse_volume, Parameter::Normalisation)?;

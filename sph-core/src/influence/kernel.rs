@@ -36,7 +36,7 @@ impl<T: Scalar, const D: usize, K: Kernel> KernelInfluence<T, D, K> {
     /// an h; [`Error::NotRepresentable`] where h^{-2} or σ_D h^{-D} is out of the scalar's range.
     pub fn new(support_radius: T) -> Result<Self, Error> {
         Self::with_constant(support_radius, |inverse| {
-            ball::power::<T, D>(inverse) * T::from_f64(Constants::<K, D>::normalisation())
+            ball::constant_times(Constants::<K, D>::normalisation(), ball::power::<T, D>(inverse))
         })
     }
 
@@ -64,7 +64,7 @@ impl<T: Scalar, const D: usize, K: Kernel> KernelInfluence<T, D, K> {
     pub fn with_printed_volume(support_radius: T) -> Result<Self, Error> {
         let unit = 1.0 / volume::printed::<K>(D as u32, 1.0);
         Self::with_constant(support_radius, |inverse| {
-            ball::power::<T, D>(inverse) * inverse * T::from_f64(unit)
+            ball::constant_times(unit, ball::power::<T, D>(inverse) * inverse)
         })
     }
 

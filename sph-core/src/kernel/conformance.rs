@@ -98,8 +98,9 @@ fn agrees<K: Kernel, T: Scalar, const D: usize>(q: T, profile: T, slope: T) -> b
     let mut u = [T::ZERO; D];
     u[D - 1] = q;
     let square = q * q;
-    // an error δ of q² is δ/2q in q, and f′ ≤ 4, f″ ≤ 24 carry it on
-    let tolerance = T::EPSILON.times(32) + T::EPSILON.times(32) / q;
+    // what the scalar's root is off moves f as f′ ≤ 4, f′ as f″ ≤ 24, and the direction u / q
+    let off = (square.sqrt() - q).abs();
+    let tolerance = T::EPSILON.times(128) + off.times(24) + (off / q).times(4);
     let vector = K::slope_vector(&u, square);
     let (both_profile, both_slope) = K::profile_and_slope_vector(&u, square);
     let along = vector.get(D - 1).is_some_and(|&component| (component - slope).abs() <= tolerance);

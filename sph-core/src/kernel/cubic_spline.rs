@@ -1,8 +1,8 @@
 //! Cubic B-spline M₄, the customary first kernel of SPH.
 //!
 //! ```text
-//! f(q)  =  2 (1 − q)₊³ −  8 (½ − q)₊³
-//! f′(q) = 24 (½ − q)₊² −  6 (1 − q)₊²
+//! f(q)  = 2 (1 − q)₊³ −   (1 − 2q)₊³
+//! f′(q) = 6 (1 − 2q)₊² − 6 (1 − q)₊²
 //! ```
 //!
 //! Source: J. J. Monaghan, *Smoothed particle hydrodynamics*, Annu. Rev. Astron. Astrophys. 30 (1992) 543, there with smoothing
@@ -27,15 +27,15 @@ impl Kernel for CubicSpline {
     #[inline(always)]
     fn profile<T: Arithmetic>(q: T) -> T {
         let outer = (T::ONE - q).positive_part();
-        let inner = (T::ratio(1, 2) - q).positive_part();
-        outer.pow::<3>().times(2) - inner.pow::<3>().times(8)
+        let inner = (T::ONE - q.times(2)).positive_part();
+        outer.pow::<3>().times(2) - inner.pow::<3>()
     }
 
     #[inline(always)]
     fn slope<T: Arithmetic>(q: T) -> T {
         let outer = (T::ONE - q).positive_part();
-        let inner = (T::ratio(1, 2) - q).positive_part();
-        inner.pow::<2>().times(24) - outer.pow::<2>().times(6)
+        let inner = (T::ONE - q.times(2)).positive_part();
+        (inner.pow::<2>() - outer.pow::<2>()).times(6)
     }
 }
 

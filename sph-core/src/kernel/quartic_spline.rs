@@ -5,6 +5,9 @@
 //! f′(q) = −4 (1 − q)₊³ + 20 (3/5 − q)₊³ − 40 (1/5 − q)₊³
 //! ```
 //!
+//! Evaluated with m = (3/2 − 5q/2)₊ and n = (1 − 5q)₊, whose zeros every scalar has exactly and whose coefficients are small:
+//! f = (1 − q)₊⁴ − 16/125 m⁴ + 2/125 n⁴.
+//!
 //! Source: D. J. Price, *Smoothed particle hydrodynamics and magnetohydrodynamics*, J. Comput. Phys. 231 (2012) 759, there with
 //! smoothing length 2h / 5.
 
@@ -28,20 +31,20 @@ impl Kernel for QuarticSpline {
     #[inline(always)]
     fn profile<T: Arithmetic>(q: T) -> T {
         let [outer, middle, inner] = edges(q);
-        outer.pow::<4>() - middle.pow::<4>().times(5) + inner.pow::<4>().times(10)
+        outer.pow::<4>() - middle.pow::<4>() * T::ratio(16, 125) + inner.pow::<4>() * T::ratio(2, 125)
     }
 
     #[inline(always)]
     fn slope<T: Arithmetic>(q: T) -> T {
         let [outer, middle, inner] = edges(q);
-        middle.pow::<3>().times(20) - outer.pow::<3>().times(4) - inner.pow::<3>().times(40)
+        (middle.pow::<3>() * T::ratio(8, 25) - outer.pow::<3>() - inner.pow::<3>() * T::ratio(2, 25)).times(4)
     }
 }
 
-/// The distances to the three joints, cut at zero.
+/// The distances to the three joints in units that make them exact, cut at zero.
 #[inline(always)]
 fn edges<T: Arithmetic>(q: T) -> [T; 3] {
-    [T::ONE, T::ratio(3, 5), T::ratio(1, 5)].map(|edge| (edge - q).positive_part())
+    [T::ONE - q, T::ratio(3, 2) - q * T::ratio(5, 2), T::ONE - q.times(5)].map(T::positive_part)
 }
 
 #[cfg(test)]

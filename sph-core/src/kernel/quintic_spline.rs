@@ -5,6 +5,9 @@
 //! f′(q) = −5 (1 − q)₊⁴ + 30 (2/3 − q)₊⁴ − 75 (1/3 − q)₊⁴
 //! ```
 //!
+//! Evaluated with m = (1 − 3q/2)₊ and n = (1 − 3q)₊, whose zeros every scalar has exactly and whose coefficients are small:
+//! f = (1 − q)₊⁵ − 64/81 m⁵ + 5/81 n⁵.
+//!
 //! Source: D. J. Price, *Smoothed particle hydrodynamics and magnetohydrodynamics*, J. Comput. Phys. 231 (2012) 759, there with
 //! smoothing length h / 3.
 
@@ -28,20 +31,21 @@ impl Kernel for QuinticSpline {
     #[inline(always)]
     fn profile<T: Arithmetic>(q: T) -> T {
         let [outer, middle, inner] = edges(q);
-        outer.pow::<5>() - middle.pow::<5>().times(6) + inner.pow::<5>().times(15)
+        outer.pow::<5>() - middle.pow::<5>() * T::ratio(64, 81) + inner.pow::<5>() * T::ratio(5, 81)
     }
 
     #[inline(always)]
     fn slope<T: Arithmetic>(q: T) -> T {
         let [outer, middle, inner] = edges(q);
-        middle.pow::<4>().times(30) - outer.pow::<4>().times(5) - inner.pow::<4>().times(75)
+        (middle.pow::<4>() * T::ratio(32, 27) - outer.pow::<4>() - inner.pow::<4>() * T::ratio(5, 27))
+            .times(5)
     }
 }
 
-/// The distances to the three joints, cut at zero.
+/// The distances to the three joints in units that make them exact, cut at zero.
 #[inline(always)]
 fn edges<T: Arithmetic>(q: T) -> [T; 3] {
-    [T::ONE, T::ratio(2, 3), T::ratio(1, 3)].map(|edge| (edge - q).positive_part())
+    [T::ONE - q, T::ONE - q * T::ratio(3, 2), T::ONE - q.times(3)].map(T::positive_part)
 }
 
 #[cfg(test)]

@@ -75,10 +75,8 @@ impl<T: Scalar, const D: usize> ViscosityLaplacian<T, D> {
     pub fn new(support_radius: T) -> Result<Self, Error> {
         crate::check::positive(support_radius, Parameter::SupportRadius, 0)?;
         let inverse_radius = T::ONE / support_radius;
-        let constant = ball::power::<T, D>(inverse_radius)
-            * inverse_radius
-            * inverse_radius
-            * T::from_f64(Self::UNIT_CONSTANT);
+        let power = ball::power::<T, D>(inverse_radius) * inverse_radius * inverse_radius;
+        let constant = ball::constant_times(Self::UNIT_CONSTANT, power);
         crate::check::representable(constant, Parameter::Normalisation)?;
         Ok(Self { inverse_radius, constant })
     }

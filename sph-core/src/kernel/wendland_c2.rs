@@ -45,8 +45,7 @@ impl Kernel for WendlandC2 {
     #[inline(always)]
     fn profile<T: Arithmetic>(q: T) -> T {
         let p = (T::ONE - q).positive_part();
-        let p4 = p.pow::<4>();
-        p4 + (q * p4).times(4)
+        p.pow::<3>() * (p + (q * p).times(4))
     }
 
     #[inline(always)]
@@ -57,8 +56,7 @@ impl Kernel for WendlandC2 {
     #[inline(always)]
     fn profile_in_1d<T: Arithmetic>(q: T) -> T {
         let p = (T::ONE - q).positive_part();
-        let p3 = p.pow::<3>();
-        p3 + (q * p3).times(3)
+        p.pow::<2>() * (p + (q * p).times(3))
     }
 
     #[inline(always)]

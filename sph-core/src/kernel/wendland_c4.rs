@@ -5,6 +5,9 @@
 //! D = 1:  f(q) = (1 − q)₊⁵ (1 + 5q + 8q²)         f′(q) = −14 q (1 + 4q) (1 − q)₊⁴
 //! ```
 //!
+//! Evaluated as a power of p = (1 − q)₊ times a polynomial of p and t = 4 q p ≤ 1, so that no rounding error is multiplied
+//! by a large coefficient, and no factor leaves [0, 8).
+//!
 //! Positive definite, so particles do not pair; f′(q)/q has no pole, so the gradient needs no division.
 //!
 //! Sources: H. Wendland, *Piecewise polynomial, positive definite and compactly supported radial functions of minimal degree*,
@@ -27,8 +30,7 @@ pub struct WendlandC4;
 #[inline(always)]
 fn slope_times<T: Arithmetic>(x: T, q: T) -> T {
     let p = (T::ONE - q).positive_part();
-    let p5 = p.pow::<5>();
-    let g = p5 + (q * p5).times(5);
+    let g = p.pow::<4>() * (p + (q * p).times(5));
     (x * g).times(-28) * T::ratio(2, 3)
 }
 
@@ -36,8 +38,7 @@ fn slope_times<T: Arithmetic>(x: T, q: T) -> T {
 #[inline(always)]
 fn slope_times_in_1d<T: Arithmetic>(x: T, q: T) -> T {
     let p = (T::ONE - q).positive_part();
-    let p4 = p.pow::<4>();
-    let g = p4 + (q * p4).times(4);
+    let g = p.pow::<3>() * (p + (q * p).times(4));
     (x * g).times(-14)
 }
 
@@ -51,9 +52,8 @@ impl Kernel for WendlandC4 {
     #[inline(always)]
     fn profile<T: Arithmetic>(q: T) -> T {
         let p = (T::ONE - q).positive_part();
-        let p6 = p.pow::<6>();
-        let qp6 = q * p6;
-        p6 + qp6.times(6) + (q * qp6).times(35) * T::ratio(1, 3)
+        let t = (q * p).times(4);
+        p.pow::<4>() * (p * p + t * (p * T::ratio(3, 2) + t * T::ratio(35, 48)))
     }
 
     #[inline(always)]
@@ -64,9 +64,8 @@ impl Kernel for WendlandC4 {
     #[inline(always)]
     fn profile_in_1d<T: Arithmetic>(q: T) -> T {
         let p = (T::ONE - q).positive_part();
-        let p5 = p.pow::<5>();
-        let qp5 = q * p5;
-        p5 + qp5.times(5) + (q * qp5).times(8)
+        let t = (q * p).times(4);
+        p.pow::<3>() * (p * p + t * (p * T::ratio(5, 4) + t * T::ratio(1, 2)))
     }
 
     #[inline(always)]

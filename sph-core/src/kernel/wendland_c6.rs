@@ -5,6 +5,9 @@
 //! D = 1:  f(q) = (1 − q)₊⁷ (1 + 7q + 19q² + 21q³)      f′(q) = −6 q (3 + 18q + 35q²) (1 − q)₊⁶
 //! ```
 //!
+//! Evaluated as a power of p = (1 − q)₊ times a polynomial of p and t = 4 q p ≤ 1, so that no rounding error is multiplied
+//! by a large coefficient, and no factor leaves [0, 8).
+//!
 //! Positive definite, so particles do not pair; f′(q)/q has no pole, so the gradient needs no division.
 //!
 //! Sources: H. Wendland, *Piecewise polynomial, positive definite and compactly supported radial functions of minimal degree*,
@@ -27,9 +30,8 @@ pub struct WendlandC6;
 #[inline(always)]
 fn slope_times<T: Arithmetic>(x: T, q: T) -> T {
     let p = (T::ONE - q).positive_part();
-    let p7 = p.pow::<7>();
-    let qp7 = q * p7;
-    let g = p7 + qp7.times(7) + (q * qp7).times(16);
+    let t = (q * p).times(4);
+    let g = p.pow::<5>() * (p * p + t * (p * T::ratio(7, 4) + t));
     (x * g).times(-22)
 }
 
@@ -37,9 +39,8 @@ fn slope_times<T: Arithmetic>(x: T, q: T) -> T {
 #[inline(always)]
 fn slope_times_in_1d<T: Arithmetic>(x: T, q: T) -> T {
     let p = (T::ONE - q).positive_part();
-    let p6 = p.pow::<6>();
-    let qp6 = q * p6;
-    let g = p6.times(3) + qp6.times(18) + (q * qp6).times(35);
+    let t = (q * p).times(4);
+    let g = p.pow::<4>() * ((p * p).times(3) + t * (p * T::ratio(9, 2) + t * T::ratio(35, 16)));
     (x * g).times(-6)
 }
 
@@ -61,10 +62,9 @@ impl Kernel for WendlandC6 {
     #[inline(always)]
     fn profile<T: Arithmetic>(q: T) -> T {
         let p = (T::ONE - q).positive_part();
-        let p8 = p.pow::<8>();
-        let qp8 = q * p8;
-        let q2p8 = q * qp8;
-        p8 + qp8.times(8) + q2p8.times(25) + (q * q2p8).times(32)
+        let t = (q * p).times(4);
+        let cubic = p.pow::<3>() + t * ((p * p).times(2) + t * (p * T::ratio(25, 16) + t * T::ratio(1, 2)));
+        p.pow::<5>() * cubic
     }
 
     #[inline(always)]
@@ -75,10 +75,10 @@ impl Kernel for WendlandC6 {
     #[inline(always)]
     fn profile_in_1d<T: Arithmetic>(q: T) -> T {
         let p = (T::ONE - q).positive_part();
-        let p7 = p.pow::<7>();
-        let qp7 = q * p7;
-        let q2p7 = q * qp7;
-        p7 + qp7.times(7) + q2p7.times(19) + (q * q2p7).times(21)
+        let t = (q * p).times(4);
+        let cubic =
+            p.pow::<3>() + t * (p * p * T::ratio(7, 4) + t * (p * T::ratio(19, 16) + t * T::ratio(21, 64)));
+        p.pow::<4>() * cubic
     }
 
     #[inline(always)]

@@ -8,6 +8,7 @@ mod density;
 mod differences;
 mod edges;
 mod exactness;
+mod fixed_point;
 mod influence;
 mod operators;
 
