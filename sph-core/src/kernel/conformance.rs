@@ -56,8 +56,7 @@ pub fn check<K: Kernel, T: Scalar>() -> Result<(), Violation> {
 const SAMPLES: i32 = 240;
 
 fn check_form<K: Kernel, T: Scalar, const D: usize>() -> Result<(), Violation> {
-    let profile = |q: T| if D == 1 { K::profile_in_1d(q) } else { K::profile(q) };
-    let slope = |q: T| if D == 1 { K::slope_in_1d(q) } else { K::slope(q) };
+    let (profile, slope) = (profile::<K, T, D>, slope::<K, T, D>);
     let step = difference::relative_step::<T>(1);
     let tolerance = slope_tolerance::<T>(step);
     for i in (SAMPLES..=SAMPLES * 3 / 2).chain(0..SAMPLES) {
@@ -81,6 +80,18 @@ fn check_form<K: Kernel, T: Scalar, const D: usize>() -> Result<(), Violation> {
         }
     }
     check_moments::<K>(D as u32)
+}
+
+/// f of the form for D dimensions, as one function: a check asks for it in many places.
+#[inline(never)]
+fn profile<K: Kernel, T: Scalar, const D: usize>(q: T) -> T {
+    if D == 1 { K::profile_in_1d(q) } else { K::profile(q) }
+}
+
+/// f′, likewise.
+#[inline(never)]
+fn slope<K: Kernel, T: Scalar, const D: usize>(q: T) -> T {
+    if D == 1 { K::slope_in_1d(q) } else { K::slope(q) }
 }
 
 /// How far f may move from the i-th sample to the next.
