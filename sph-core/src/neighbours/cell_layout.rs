@@ -65,7 +65,7 @@ impl<T: Scalar> CellAxis<T> {
         let most = self.count.get() as i32 - 1;
         match self.ends {
             Ends::Repeated => (first, last.min(first.saturating_add(most))),
-            Ends::Clamped | Ends::Periodic => (first.clamp(0, most), last.clamp(0, most)),
+            Ends::Clamped | Ends::Periodic => (first.max(0).min(most), last.max(0).min(most)), // `clamp` could panic
         }
     }
 
@@ -114,7 +114,7 @@ impl<T: Scalar> CellAxis<T> {
         let number = self.raw(coordinate);
         match self.ends {
             Ends::Repeated => self.locate(number).0,
-            Ends::Clamped | Ends::Periodic => number.clamp(0, self.count.get() as i32 - 1) as u32,
+            Ends::Clamped | Ends::Periodic => number.max(0).min(self.count.get() as i32 - 1) as u32,
         }
     }
 }
@@ -219,9 +219,8 @@ impl<T: Scalar, const D: usize> CellLayout<T, D> {
     #[inline(always)]
     pub(super) fn cell_of(&self, x: &[T; D]) -> usize {
         let mut cell = 0_usize;
-        for axis in (0..D).rev() {
-            let along = &self.axes[axis];
-            cell = cell.wrapping_mul(along.count.get() as usize).wrapping_add(along.cell(x[axis]) as usize);
+        for (axis, &coordinate) in self.axes.iter().zip(x).rev() {
+            cell = cell.wrapping_mul(axis.count.get() as usize).wrapping_add(axis.cell(coordinate) as usize);
         }
         cell
     }
