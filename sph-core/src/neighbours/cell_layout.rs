@@ -80,13 +80,13 @@ impl<T: Scalar> CellAxis<T> {
         let reach = radius + (error * x.abs() + error * radius + error * length);
         let number = |end: T, side: i32| {
             if is_inside(kind, end) {
-                return self.raw(end).clamp(0, count - 1);
+                return self.raw(end).max(0).min(count - 1);
             }
             let images = image_reach(kind, radius).min(FARTHEST / count);
             let periods = (end - self.origin) / length;
             let k = if periods.is_finite() { periods.floor_to_i32() } else { side * images };
-            let k = k.clamp(-images, images);
-            k * count + self.raw(end - length.times(k)).clamp(0, count - 1)
+            let k = k.max(-images).min(images);
+            k * count + self.raw(end - length.times(k)).max(0).min(count - 1)
         };
         (number(x - reach, -1), number(x + reach, 1))
     }
