@@ -1,16 +1,16 @@
 //! The n-th central difference (Thm 4.1) and what is made of it: partial derivatives and gradients of any field.
 //!
 //! ```text
-//! f^[n](x) = lim_{s→0} (2s)^{-n} Σ_{k=0..n} (−1)^k C(n, k) f(x + (n − 2k) s)
+//! f⁽ⁿ⁾(x) = lim_{s→0} (2s)^{-n} Σ_{k=0..n} (−1)^k C(n, k) f(x + (n − 2k) s)
 //! ```
 //!
-//! (The paper's h is the step s here; h is a support radius elsewhere.) The truncation error is n s² f^[n+2](x) / 6 + O(s⁴):
+//! (The paper's h is the step s here; h is a support radius elsewhere.) The truncation error is n s² f⁽ⁿ⁺²⁾(x) / 6 + O(s⁴):
 //! second order, and exact for polynomials of degree n + 1. The sum's rounding error is about ε |f| / s^n, so the best step
 //! is near ε^{1/(n+2)}: [`step_for`].
 
 use crate::{Accumulator, Scalar};
 
-/// f^[n](x) with the step s: (2s)^{-n} Σ (−1)^k C(n, k) f(x + (n − 2k) s), summed from k = 0 on; n = 0 gives f(x).
+/// f⁽ⁿ⁾(x) with the step s: (2s)^{-n} Σ (−1)^k C(n, k) f(x + (n − 2k) s), summed from k = 0 on; n = 0 gives f(x).
 ///
 /// Units of f per unit of x to the n. n beyond 30 overflows the binomial coefficients' type: they are held there.
 ///
@@ -32,7 +32,7 @@ pub fn nth<T: Scalar>(f: impl Fn(T) -> T, n: u32, x: T, step: T) -> T {
     (0..n).fold(sum.total(), |quotient, _| quotient / width)
 }
 
-/// f^[n](x) with the step chosen by the scalar's precision, [`step_for`].
+/// f⁽ⁿ⁾(x) with the step chosen by the scalar's precision, [`step_for`].
 ///
 /// ```
 /// use sph_core::difference;

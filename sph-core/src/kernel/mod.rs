@@ -19,16 +19,16 @@
 //!
 //! [`KernelInfluence`]: crate::KernelInfluence
 
-mod cubic_spline;
+pub mod cubic_spline;
 mod moment;
-mod poly6;
-mod quartic_spline;
-mod quintic_spline;
-mod spiky;
-mod viscosity;
-mod wendland_c2;
-mod wendland_c4;
-mod wendland_c6;
+pub mod poly6;
+pub mod quartic_spline;
+pub mod quintic_spline;
+pub mod spiky;
+pub mod viscosity;
+pub mod wendland_c2;
+pub mod wendland_c4;
+pub mod wendland_c6;
 
 pub mod conformance;
 

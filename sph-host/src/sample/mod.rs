@@ -1,8 +1,8 @@
 //! `fluisim sample`: fields of a particle set at points.
 //!
 //! [`Request`] says what is asked for, in the words of the command line. [`run`] goes the whole way: read and check the
-//! particles ([`load`]), make the points ([`points`]), evaluate sph-core's sums there in the scalar that was asked for
-//! ([`evaluate`]), and hand back a [`Table`] with what there is to warn of.
+//! particles (`load`), make the points (`points`), evaluate sph-core's sums there in the scalar that was asked for
+//! (`evaluate`), and hand back a [`Table`] with what there is to warn of.
 
 mod evaluate;
 mod load;
