@@ -33,6 +33,8 @@ pub enum Parameter {
     Entries,
     /// The kernel's normalisation σ_D h^{-D}.
     Normalisation,
+    /// The particles of a fluid.
+    Particles,
 }
 
 impl Parameter {
@@ -50,6 +52,7 @@ impl Parameter {
             Self::Cells => "cells",
             Self::Entries => "entries",
             Self::Normalisation => "normalisation",
+            Self::Particles => "particles",
         }
     }
 }

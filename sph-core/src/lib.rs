@@ -36,6 +36,7 @@ mod check;
 pub mod difference;
 pub mod error;
 pub mod field;
+pub mod fluid;
 pub mod influence;
 pub mod kernel;
 pub mod neighbours;
@@ -48,8 +49,8 @@ pub use error::{Error, Parameter};
 pub use field::Field;
 pub use influence::{ClosureInfluence, Influence, InfluenceOf, KernelInfluence, PerSampleInfluence};
 pub use neighbours::{
-    Axis, BruteForce, CellGrid, CellLayout, Domain, Index, InlineCellGrid, Neighbour, NeighbourList,
-    Neighbours,
+    Axis, BruteForce, CellGrid, CellLayout, CellOrder, Domain, Index, InlineCellGrid, Neighbour,
+    NeighbourList, Neighbours,
 };
 pub use samples::{PerSample, Sources, Uniform};
 pub use scalar::{Accumulator, Arithmetic, Scalar};
