@@ -8,15 +8,15 @@ use sph_core::scalar::compact::Compact;
 const SPACING: f64 = 0.5;
 
 /// Positions and velocities as f64.
-pub struct State {
+pub(crate) struct State {
     /// Positions in h.
-    pub positions: Vec<[f64; 2]>,
+    pub(crate) positions: Vec<[f64; 2]>,
     /// Velocities in h a frame.
-    pub velocities: Vec<[f64; 2]>,
+    pub(crate) velocities: Vec<[f64; 2]>,
 }
 
 /// The particles' state.
-pub fn state<T: Compact>(particles: &[Particle<T, 2>]) -> State {
+pub(crate) fn state<T: Compact>(particles: &[Particle<T, 2>]) -> State {
     State {
         positions: particles.iter().map(|p| p.position().map(T::to_f64)).collect(),
         velocities: particles.iter().map(|p| p.velocity().map(T::to_f64)).collect(),
@@ -24,7 +24,7 @@ pub fn state<T: Compact>(particles: &[Particle<T, 2>]) -> State {
 }
 
 /// The mean of vectors.
-pub fn mean(values: &[[f64; 2]]) -> [f64; 2] {
+pub(crate) fn mean(values: &[[f64; 2]]) -> [f64; 2] {
     [0, 1].map(|axis| values.iter().map(|v| v[axis]).sum::<f64>() / values.len() as f64)
 }
 
@@ -35,7 +35,7 @@ impl State {
     }
 
     /// The distance of each particle to its nearest neighbour over the spacing at rest, ascending.
-    pub fn spacings(&self) -> Vec<f64> {
+    pub(crate) fn spacings(&self) -> Vec<f64> {
         let n = self.positions.len();
         let nearest =
             |i| (0..n).filter(|&j| j != i).map(|j| self.distance(i, j)).fold(f64::INFINITY, f64::min);
@@ -45,7 +45,7 @@ impl State {
     }
 
     /// Mean |ρ/ρ₀ − 1| over the particles in a box that are at least 1 below the surface.
-    pub fn density_error(&self, width: f64, surface: f64) -> f64 {
+    pub(crate) fn density_error(&self, width: f64, surface: f64) -> f64 {
         let rest = SPACING * SPACING * normalisation::<Poly6>(2);
         let solid = |d: f64| sph_core::fluid::container::half_space::share::<f64, 2>(d);
         let error = |i: usize| {
@@ -60,23 +60,23 @@ impl State {
         errors.iter().sum::<f64>() / errors.len() as f64
     }
 
-    pub fn fastest(&self) -> f64 {
+    pub(crate) fn fastest(&self) -> f64 {
         self.velocities.iter().map(|v| v[0].hypot(v[1])).fold(0.0, f64::max)
     }
 
-    pub fn rms_speed(&self) -> f64 {
+    pub(crate) fn rms_speed(&self) -> f64 {
         let squares = self.velocities.iter().map(|v| v[0] * v[0] + v[1] * v[1]);
         (squares.sum::<f64>() / self.velocities.len() as f64).sqrt()
     }
 }
 
 /// A particle at rest.
-pub fn at<T: Compact>(x: f64, y: f64) -> Particle<T, 2> {
+pub(crate) fn at<T: Compact>(x: f64, y: f64) -> Particle<T, 2> {
     Particle::new([x, y].map(T::from_f64), [T::ZERO; 2])
 }
 
 /// `columns` × `rows` particles at rest from a lower corner on.
-pub fn block<T: Compact>(
+pub(crate) fn block<T: Compact>(
     corner: [f64; 2],
     columns: usize,
     rows: usize,
@@ -86,10 +86,10 @@ pub fn block<T: Compact>(
 }
 
 /// A deterministic noise.
-pub struct Noise(pub u64);
+pub(crate) struct Noise(pub(crate) u64);
 
 impl Noise {
-    pub fn bits(&mut self) -> u64 {
+    pub(crate) fn bits(&mut self) -> u64 {
         self.0 ^= self.0 << 13;
         self.0 ^= self.0 >> 7;
         self.0 ^= self.0 << 17;
@@ -97,32 +97,32 @@ impl Noise {
     }
 
     /// In [−1, 1).
-    pub fn number(&mut self) -> f64 {
+    pub(crate) fn number(&mut self) -> f64 {
         (self.bits() >> 11) as f64 / (1u64 << 52) as f64 - 1.0
     }
 }
 
 /// What a dam break has become, speeds over √(g H).
 #[derive(Debug)]
-pub struct Figures {
+pub(crate) struct Figures {
     /// The farthest particle after 80 frames.
-    pub front: f64,
+    pub(crate) front: f64,
     /// Mean |ρ/ρ₀ − 1|.
-    pub density_error: f64,
+    pub(crate) density_error: f64,
     /// The nearest neighbour's distance over the spacing at rest that 99 % of the particles exceed.
-    pub first_percentile_of_spacing: f64,
+    pub(crate) first_percentile_of_spacing: f64,
     /// The fluid's height over that of the volume put in.
-    pub height: f64,
+    pub(crate) height: f64,
     /// Root of the mean square speed.
-    pub speed: f64,
+    pub(crate) speed: f64,
     /// The fastest particle's speed.
-    pub fastest: f64,
+    pub(crate) fastest: f64,
     /// The difference of the mean height at both ends.
-    pub slope: f64,
+    pub(crate) slope: f64,
 }
 
 /// A column of fluid 8 × 12 in a box 16 wide falls, spreads and rests 6 deep.
-pub fn dam_break<T: Compact>(frames: usize) -> Figures {
+pub(crate) fn dam_break<T: Compact>(frames: usize) -> Figures {
     let (width, gravity, depth) = (16.0, 0.005, 6.0);
     let walls = OpenBox::new([width, 16.0].map(T::from_f64));
     let mut fluid = PositionBasedFluid::<T, _, 2, 384, 289>::new(walls);
@@ -156,7 +156,7 @@ pub fn dam_break<T: Compact>(frames: usize) -> Figures {
 }
 
 /// A drop that oscillates in free space; returns the change of its mean velocity in h a frame.
-pub fn drift<T: Compact>(frames: usize, seed: u64) -> [f64; 2] {
+pub(crate) fn drift<T: Compact>(frames: usize, seed: u64) -> [f64; 2] {
     let walls = OpenBox::new([60.0, 60.0].map(T::from_f64));
     let settings = Settings { cohesion: 32, ..Settings::DEFAULT };
     let mut fluid = PositionBasedFluid::<T, _, 2, 64, 3721>::with_settings(walls, settings);
@@ -181,7 +181,7 @@ pub fn drift<T: Compact>(frames: usize, seed: u64) -> [f64; 2] {
 }
 
 /// Numbers up to the limits of the type.
-pub fn extremes<T: Compact>(noise: &mut Noise) -> [T; 2] {
+pub(crate) fn extremes<T: Compact>(noise: &mut Noise) -> [T; 2] {
     [0, 1].map(|_| match noise.bits() >> 61 {
         0 => T::MAX,
         1 => -T::MAX,

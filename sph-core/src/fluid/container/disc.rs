@@ -44,12 +44,9 @@ impl<T: Compact, const D: usize> Container<T, D> for Disc<T> {
             return Wall::NONE;
         }
         let length = square.sqrt();
-        if !(length > T::ZERO) {
-            return Wall::NONE;
-        }
         let d = ((T::ONE - length) * self.radius).max(T::ZERO);
         let normal = u.map(|along| (-along / length).offset(T::ZERO));
-        if d < T::ONE {
+        if length > T::ZERO && d < T::ONE {
             Wall::plane(d.offset(T::ZERO), normal.map(|n| n.held(T::Near::ONE)))
         } else {
             Wall::NONE

@@ -107,7 +107,7 @@ fn marginal<T: Compact>(edge: T) -> (T::Near, T::Near) {
     if edge >= T::ONE {
         return (T::Near::ZERO, T::Near::ZERO);
     }
-    if !(edge > -T::ONE) {
+    if edge <= -T::ONE {
         return (T::Near::ONE, T::Near::ZERO);
     }
     let d = edge.abs().offset(T::ZERO);

@@ -41,12 +41,13 @@ impl<N: Near, const D: usize> Wall<N, D> {
     /// One plane wall at distance d along the unit `normal` that points into the fluid.
     #[inline(always)]
     pub fn plane(d: N, normal: [N; D]) -> Self {
-        let d = if d > N::ZERO { d } else { N::ZERO };
-        if !(d < N::ONE) {
-            return Self::NONE;
+        if d < N::ONE {
+            let d = d.positive_part();
+            let push = half_space::push::<N, D>(d);
+            Self { share: half_space::share::<N, D>(d), push: normal.map(|along| along.evenly(push)) }
+        } else {
+            Self::NONE
         }
-        let push = half_space::push::<N, D>(d);
-        Self { share: half_space::share::<N, D>(d), push: normal.map(|along| along.evenly(push)) }
     }
 }
 
@@ -73,11 +74,11 @@ pub trait Container<T: Compact, const D: usize> {
 #[inline(always)]
 fn hold<T: Compact>(x: T, upper: T, gap: T) -> T {
     let highest = upper - gap;
-    if !(x > gap) {
-        gap
-    } else if x > highest {
+    if x > highest {
         highest
-    } else {
+    } else if x > gap {
         x
+    } else {
+        gap
     }
 }

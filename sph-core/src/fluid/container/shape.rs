@@ -48,13 +48,12 @@ impl<T: Compact, F: Fn(&[T; D]) -> (T, [T; D]), const D: usize> Container<T, D> 
 
     fn wall(&self, x: &[T; D]) -> Wall<T::Near, D> {
         let (d, normal) = (self.distance)(x);
-        if !(d < T::ONE) {
-            return Wall::NONE;
+        if d < T::ONE {
+            let normal = normal.map(|along| along.offset(T::ZERO).held(T::Near::ONE));
+            Wall::plane(d.max(T::ZERO).offset(T::ZERO), normal)
+        } else {
+            Wall::NONE
         }
-        Wall::plane(
-            d.max(T::ZERO).offset(T::ZERO),
-            normal.map(|along| along.offset(T::ZERO).held(T::Near::ONE)),
-        )
     }
 
     fn confine(&self, from: &[T; D], to: [T; D], gap: T) -> [T; D] {

@@ -1,18 +1,21 @@
 //! Position-based fluid: one step a frame, a fixed number of iterations, and no input that blows it up.
 //!
 //! ```text
-//! predict    v ← v + a,  x ← x + v                                          time in frames, lengths in h
-//! density    ρ_i/ρ₀ = (1 + Σ_j (1 − q_ij²)³) / ρ̂ + χ_i                      poly6; χ the walls' share
-//! pressure   p_i = (κ (ρ_i/ρ₀ − 1) + 0.3 p_i of the pass before)₊
-//! correct    x_i ← x_i + Σ_j ((p_i + p_j) (1 − q_ij²)³ + (0.84 − q_ij²... )₊) x_ij/h + 2 p_i G_i,  v likewise
+//! predict    v ← v + a,  x ← x + v
+//! density    ρ_i/ρ₀ = (1 + Σ_j t_ij³) / 3.05 + χ_i                  t_ij = (1 − |x_ij|²/h²)₊, poly6; χ the walls' share
+//! pressure   p_i = (κ (ρ_i/ρ₀ − 1) + 0.3 p_i of the pass before)₊     κ = 1
+//! correct    x_i ← x_i + Σ_j ((p_i + p_j) t_ij³ + (t_ij − 0.84)₊) x_ij + 1.6 p_i G_i,  v likewise
 //! ```
 //!
 //! Macklin & Müller's density constraint with these differences. The direction of a pair's push is poly6 times the offset, which
 //! is sharper than poly6's own gradient, so that no root is needed; its strength has a constant denominator κ. Closer than
 //! 0.8 spacings a repulsion is added that does not depend on pressure: particles never pair up. A part of the pressure is kept
 //! from pass to pass, which halves what is left of the compression under the fluid's own weight. XSPH viscosity is part of the
-//! first pass. Every pair's push is computed once and applied with both signs, so momentum is conserved: to rounding in floats,
+//! first pass. In three dimensions 3.05 is 4.96 and κ is 0.85. Every pair's push is computed once and applied with both signs, so momentum is conserved: to rounding in floats,
 //! exactly in fixed point.
+//!
+//! Chosen by measurement: 3.05 (the kernel's own constant is π) makes up for the surface, which any such solver compresses; a wall
+//! that pushed back with the full 2 p G of its mirror image would make the fluid tremble at rest.
 //!
 //! The unit of length is the support radius h, the particles' spacing at rest is h/2, and time counts in frames. A fixed-point
 //! scalar keeps its range for positions; within reach of each other, particles are dealt with in 16 bits
