@@ -33,6 +33,10 @@ pub enum Parameter {
     Entries,
     /// The kernel's normalisation σ_D h^{-D}.
     Normalisation,
+    /// Velocities v_i.
+    Velocity,
+    /// c₀, the speed of sound of an equation of state.
+    SoundSpeed,
 }
 
 impl Parameter {
@@ -50,6 +54,8 @@ impl Parameter {
             Self::Cells => "cells",
             Self::Entries => "entries",
             Self::Normalisation => "normalisation",
+            Self::Velocity => "velocity",
+            Self::SoundSpeed => "sound speed",
         }
     }
 }

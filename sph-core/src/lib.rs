@@ -36,6 +36,7 @@ mod check;
 pub mod difference;
 pub mod error;
 pub mod field;
+pub mod fluid;
 pub mod influence;
 pub mod kernel;
 pub mod neighbours;
