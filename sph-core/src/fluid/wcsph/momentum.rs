@@ -37,7 +37,7 @@ impl<T: Scalar> PerSample<T> for Volumes<'_, T> {
         self.densities.get(j).map(|&density| self.mass / density)
     }
 
-    fn len(&self) -> Option<usize> {
+    fn count(&self) -> Option<usize> {
         Some(self.densities.len())
     }
 }
