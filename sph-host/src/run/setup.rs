@@ -27,8 +27,8 @@ pub(super) struct Setup<const D: usize> {
     pub(super) artificial_viscosity: f64,
     pub(super) kinematic_viscosity: f64,
     pub(super) density_diffusion: f64,
-    /// Whether particles move with a transport velocity: only where there is no free surface.
-    pub(super) transport: bool,
+    /// The speed of shifting; zero where there is a free surface.
+    pub(super) shift_speed: f64,
     pub(super) positions: Vec<[f64; D]>,
     pub(super) velocities: Vec<[f64; D]>,
     /// Pressures to begin with, which give the densities.
@@ -49,8 +49,6 @@ impl<const D: usize> Setup<D> {
     /// The liquid in some scalar.
     pub(super) fn liquid<T: Scalar>(&self) -> Result<Liquid<T, D>, Error> {
         let (density, speed) = (T::from_f64(self.rest_density), T::from_f64(self.sound_speed));
-        let background =
-            if self.transport { self.rest_density * self.sound_speed * self.sound_speed } else { 0.0 };
         Ok(Liquid {
             equation_of_state: match self.state {
                 State::Tait => EquationOfState::tait(density, speed)?,
@@ -60,7 +58,7 @@ impl<const D: usize> Setup<D> {
             artificial_viscosity: T::from_f64(self.artificial_viscosity),
             kinematic_viscosity: T::from_f64(self.kinematic_viscosity),
             density_diffusion: T::from_f64(self.density_diffusion),
-            background_pressure: T::from_f64(background),
+            shift_speed: T::from_f64(self.shift_speed),
         })
     }
 
@@ -108,4 +106,15 @@ pub(super) fn walls<const D: usize>(
     }
     let outside = |cell: &&[i64; D]| (0..D).any(|axis| cell[axis] < 0 || cell[axis] >= counts[axis]);
     cells(from, to).iter().filter(outside).map(|cell| centre(cell, spacing)).collect()
+}
+
+/// The position moved by up to `most` along each axis, by an amount that its number alone decides.
+pub(super) fn jittered<const D: usize>(number: usize, position: [f64; D], most: f64) -> [f64; D] {
+    std::array::from_fn(|axis| {
+        let mut bits = ((number * D + axis + 1) as u64).wrapping_mul(0x9E37_79B9_7F4A_7C15);
+        bits = (bits ^ (bits >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        bits = (bits ^ (bits >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        let part = ((bits ^ (bits >> 31)) >> 11) as f64 / (1_u64 << 53) as f64;
+        position[axis] + (2.0 * part - 1.0) * most
+    })
 }

@@ -42,6 +42,7 @@ impl<T: Scalar, const D: usize, W: Influence<T, D>> Scheme<T, D, W> {
         let strength = self.liquid.density_diffusion
             * self.length()
             * self.liquid.equation_of_state.sound_speed().times(2);
-        Some(self.mass * (compression.total() + strength * diffusion.total()))
+        let shifted = state.drifts.get(i).map_or(T::ZERO, |drift| dot(drift, &own_gradient));
+        Some(self.mass * (compression.total() + strength * diffusion.total()) + shifted)
     }
 }

@@ -14,7 +14,7 @@
 //! |---|---|---|
 //! | `continuity` | density, with the diffusion of δ-SPH | Antuono, Colagrossi, Marrone, Molteni, Comput. Phys. Commun. 181 (2010) 532; without ∇ρ: Molteni, Colagrossi, ibid. 180 (2009) 861 |
 //! | `momentum` | pressure, viscosity | Monaghan, Annu. Rev. Astron. Astrophys. 30 (1992) 543; Morris, Fox, Zhu, J. Comput. Phys. 136 (1997) 214 |
-//! | `momentum` | transport velocity | Adami, Hu, Adams, J. Comput. Phys. 241 (2013) 292 |
+//! | `momentum` | shifting | Sun, Colagrossi, Marrone, Antuono, Zhang, Comput. Methods Appl. Mech. Eng. 348 (2019) 912, with the stress of Adami, Hu, Adams, J. Comput. Phys. 241 (2013) 292 |
 //! | `wall` | pressure and velocity of wall particles | Adami, Hu, Adams, J. Comput. Phys. 231 (2012) 7057 |
 //! | `step` | kick, drift, kick | the same, sect. 2.6 |
 //!
@@ -49,8 +49,9 @@ pub struct Liquid<T, const D: usize> {
     pub kinematic_viscosity: T,
     /// δ of the density diffusion, 0.1 as a rule.
     pub density_diffusion: T,
-    /// p_b of the transport velocity, c₀² ρ₀ as a rule; zero for none, as a free surface wants it.
-    pub background_pressure: T,
+    /// u_s, the greatest speed of the flow, that particles are shifted with into even order; zero for none, as a free surface
+    /// wants it.
+    pub shift_speed: T,
 }
 
 /// A liquid in SPH: the influence, the cells that particles are sorted in, the mass of each.
@@ -84,7 +85,7 @@ pub struct State<'a, T, const D: usize> {
     pub densities: &'a [T],
     /// p_j
     pub pressures: &'a [T],
-    /// Transport velocity less velocity, of the fluid.
+    /// δv, with which the fluid is shifted.
     pub drifts: &'a [[T; D]],
 }
 

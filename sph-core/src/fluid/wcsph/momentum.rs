@@ -2,7 +2,7 @@
 
 use super::{Scheme, Seen, State};
 use crate::field::{Field, Quantity};
-use crate::vector::{dot, scale, sub};
+use crate::vector::{dot, norm_squared, scale, sub};
 use crate::{Influence, Neighbour, Neighbours, PerSample, Scalar, Sources};
 
 /// What the sums over its neighbours give a fluid particle.
@@ -11,7 +11,7 @@ use crate::{Influence, Neighbour, Neighbours, PerSample, Scalar, Sources};
 pub struct Forces<T, const D: usize> {
     /// dv/dt, gravity included.
     pub acceleration: [T; D],
-    /// −p_b Σ m (1/ρ_i² + 1/ρ_j²) ∇W: what the transport velocity gains on the velocity.
+    /// δv = −u_s h Σ V_j ∇W, no longer than u_s/2: towards where particles are few.
     pub shift: [T; D],
     /// ∇ρ by the first-order corrected form, for the diffusion of density; zero without diffusion, and where neighbours are too
     /// few for it.
@@ -53,7 +53,7 @@ impl<T: Scalar, const D: usize, W: Influence<T, D>> Scheme<T, D, W> {
         let own = state.seen(i)?;
         let x = search.positions().get(i)?;
         let own_drift = state.drifts.get(i)?;
-        let shifting = self.liquid.background_pressure > T::ZERO;
+        let shifting = self.liquid.shift_speed > T::ZERO;
         let mut pull = <[T; D] as Quantity<T>>::EMPTY;
         let mut shift = <[T; D] as Quantity<T>>::EMPTY;
         search.for_each(x, self.influence.support_radius(), |neighbour| {
@@ -67,7 +67,7 @@ impl<T: Scalar, const D: usize, W: Influence<T, D>> Scheme<T, D, W> {
             }
             if shifting {
                 let (a, b) = (T::ONE / own.density, T::ONE / other.density);
-                slope.add_to(&mut shift, a * a + b * b);
+                slope.add_to(&mut shift, b);
                 own.velocity.add_to(&mut pull, dot(own_drift, &slope) * a);
                 if let Some(drift) = state.drifts.get(neighbour.index) {
                     other.velocity.add_to(&mut pull, dot(drift, &slope) * b);
@@ -78,7 +78,7 @@ impl<T: Scalar, const D: usize, W: Influence<T, D>> Scheme<T, D, W> {
         let gravity = &self.liquid.gravity;
         Some(Forces {
             acceleration: core::array::from_fn(|axis| self.mass * pull[axis] + gravity[axis]),
-            shift: scale(&<[T; D]>::total(shift), -self.liquid.background_pressure * self.mass),
+            shift: self.limited_shift(&<[T; D]>::total(shift)),
             density_gradient: self.density_gradient(search, state, i),
         })
     }
@@ -98,6 +98,14 @@ impl<T: Scalar, const D: usize, W: Influence<T, D>> Scheme<T, D, W> {
         let strength =
             self.liquid.artificial_viscosity * self.liquid.equation_of_state.sound_speed() * length;
         pressure - strength * approach / softened / mean_density
+    }
+
+    /// −u_s h m Σ ∇W/ρ_j, no longer than u_s/2.
+    fn limited_shift(&self, sum: &[T; D]) -> [T; D] {
+        let speed = self.liquid.shift_speed;
+        let shift = scale(sum, -speed * self.influence.support_radius() * self.mass);
+        let (length, most) = (norm_squared(&shift).sqrt(), speed * T::ratio(1, 2));
+        if length > most { scale(&shift, most / length) } else { shift }
     }
 
     /// ν (1/ρ_i + 1/ρ_j) F_ij

@@ -5,7 +5,7 @@
 //! x′ = x½ + Δt/2 v̂       walls and a′ at (x′, v½, ρ′)        v′ = v½ + Δt/2 a′
 //! ```
 //!
-//! v̂ = v½ + Δt/2 · shift is the transport velocity, v½ itself without background pressure. Second order, and the same backwards
+//! v̂ = v½ + δv, v½ itself without shifting. Second order, and the same backwards
 //! in time where nothing dissipates.
 
 use super::{Forces, Limits, Scheme, State, WallState};
@@ -47,7 +47,7 @@ pub struct Particles<'a, T, const D: usize, I> {
     pub pressures: &'a mut [T],
     /// Forces on the fluid: their number says how many particles are fluid.
     pub forces: &'a mut [Forces<T, D>],
-    /// Transport velocity less velocity, of the fluid.
+    /// δv, with which the fluid is shifted.
     pub drifts: &'a mut [[T; D]],
     /// dρ/dt of the fluid.
     pub rates: &'a mut [T],
@@ -134,7 +134,7 @@ impl<T: Scalar, const D: usize, W: Influence<T, D> + Sync> Scheme<T, D, W> {
         let half = dt * T::ratio(1, 2);
         kick(particles, half);
         for (drift, force) in particles.drifts.iter_mut().zip(particles.forces.iter()) {
-            *drift = scale(&force.shift, half);
+            *drift = force.shift;
         }
         self.drift(particles, half);
         self.update_rates(particles, executor)?;

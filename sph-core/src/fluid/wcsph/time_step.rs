@@ -42,7 +42,7 @@ impl<T: Scalar, const D: usize, W: Influence<T, D>> Scheme<T, D, W> {
     ///     artificial_viscosity: 0.0,
     ///     kinematic_viscosity: 0.0,
     ///     density_diffusion: 0.1,
-    ///     background_pressure: 0.0,
+    ///     shift_speed: 0.0,
     /// };
     /// let influence = KernelInfluence::<f64, 2, WendlandC2>::new(0.2)?;
     /// let layout = CellLayout::bounded(&[0.0, 0.0], &[1.0, 1.0], [5, 5])?;

@@ -93,7 +93,7 @@ impl<const D: usize> Case<D> for DamBreak {
             artificial_viscosity: 0.03,
             kinematic_viscosity: 0.0,
             density_diffusion: 0.1,
-            transport: false,
+            shift_speed: 0.0,
             velocities: vec![[0.0; D]; positions.len()],
             pressures: positions.iter().map(|x| density * GRAVITY * first_pressure(x[0], x[D - 1])).collect(),
             positions,

@@ -84,7 +84,7 @@ impl Case<2> for Drop {
             artificial_viscosity: 0.0,
             kinematic_viscosity: 0.0,
             density_diffusion: 0.1,
-            transport: false,
+            shift_speed: 0.0,
             velocities: positions.iter().map(|[x, y]| [-RATE * x, RATE * y]).collect(),
             pressures: positions.iter().map(|x| greatest * (1.0 - square(x))).collect(),
             positions,

@@ -46,7 +46,7 @@ impl Case<2> for Hydrostatic {
             artificial_viscosity: 0.1,
             kinematic_viscosity: 0.0,
             density_diffusion: 0.1,
-            transport: false,
+            shift_speed: 0.0,
             velocities: vec![[0.0; 2]; positions.len()],
             pressures: vec![0.0; positions.len()],
             positions,

@@ -64,7 +64,7 @@ impl Case<2> for Poiseuille {
             artificial_viscosity: 0.0,
             kinematic_viscosity: VISCOSITY,
             density_diffusion: 0.1,
-            transport: true,
+            shift_speed: FORCE * WIDTH * WIDTH / (8.0 * VISCOSITY),
             velocities: vec![[0.0; 2]; positions.len()],
             pressures: vec![0.0; positions.len()],
             positions,

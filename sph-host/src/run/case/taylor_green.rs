@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 use super::{Case, View, conservation};
 use crate::picture::plot::{Mark, Plot, Series as Curve};
 use crate::run::series::{Check, Series};
-use crate::run::setup::{Setup, State, cells, centre};
+use crate::run::setup::{Setup, State, cells, centre, jittered};
 use crate::run::simulation::Snapshot;
 
 const REYNOLDS: f64 = 100.0;
@@ -29,11 +29,11 @@ impl Case<2> for TaylorGreen {
     fn setup(&self) -> Setup<2> {
         let n = i64::from(self.resolution);
         let spacing = 1.0 / f64::from(self.resolution);
-        let positions: Vec<_> = cells([0; 2], [n; 2]).iter().map(|cell| centre(cell, spacing)).collect();
+        let positions: Vec<_> = cells([0; 2], [n; 2]).iter().enumerate().map(|(i, cell)| jittered(i, centre(cell, spacing), 0.2 * spacing)).collect();
         let k = 2.0 * PI;
         Setup {
             spacing,
-            reach: 3.0,
+            reach: 4.0,
             state: State::Linear,
             rest_density: 1.0,
             sound_speed: 10.0,
@@ -41,7 +41,7 @@ impl Case<2> for TaylorGreen {
             artificial_viscosity: 0.0,
             kinematic_viscosity: 1.0 / REYNOLDS,
             density_diffusion: 0.1,
-            transport: true,
+            shift_speed: 1.0,
             velocities: positions
                 .iter()
                 .map(|[x, y]| [-(k * x).cos() * (k * y).sin(), (k * x).sin() * (k * y).cos()])
