@@ -10,7 +10,7 @@
 use super::{Case, View, conservation};
 use crate::picture::plot::{Mark, Plot, Series as Curve};
 use crate::run::series::{Check, Series};
-use crate::run::setup::{Setup, State, cells, centre};
+use crate::run::setup::{Setup, State, cells, centre, jittered};
 use crate::run::simulation::Snapshot;
 
 const RADIUS: f64 = 1.0;
@@ -70,13 +70,13 @@ fn semi_axes(positions: &[[f64; 2]]) -> [f64; 2] {
 impl Case<2> for Drop {
     fn setup(&self) -> Setup<2> {
         let (spacing, n) = (self.spacing(), i64::from(self.resolution));
-        let mut positions: Vec<_> = cells([-n; 2], [n; 2]).iter().map(|cell| centre(cell, spacing)).collect();
+        let mut positions: Vec<_> = cells([-n; 2], [n; 2]).iter().enumerate().map(|(i, cell)| jittered(i, centre(cell, spacing), 0.2 * spacing)).collect();
         let square = |x: &[f64; 2]| (x[0] * x[0] + x[1] * x[1]) / (RADIUS * RADIUS);
         positions.retain(|x| square(x) < 1.0);
         let greatest = 0.5 * DENSITY * RATE * RATE * RADIUS * RADIUS;
         Setup {
             spacing,
-            reach: 3.0,
+            reach: 4.0,
             state: State::Tait,
             rest_density: DENSITY,
             sound_speed: 1400.0,

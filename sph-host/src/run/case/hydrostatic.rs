@@ -48,7 +48,7 @@ impl Case<2> for Hydrostatic {
             density_diffusion: 0.1,
             shift_speed: 0.0,
             velocities: vec![[0.0; 2]; positions.len()],
-            pressures: vec![0.0; positions.len()],
+            pressures: positions.iter().map(|x| DENSITY * GRAVITY * (DEPTH - x[1])).collect(),
             positions,
             walls: walls([n, n + n / 2], reach.ceil() as i64, [(true, true), (true, false)], spacing),
             lower: [-margin; 2],
