@@ -1,5 +1,7 @@
 //! One case from beginning to end: steps, rows, frames.
 
+use indicatif::ProgressBar;
+
 use super::case::Case;
 use super::measure::{COLUMNS, LAST_COLUMNS, Meter};
 use super::series::{Check, Series};
@@ -51,7 +53,7 @@ impl<'a, const D: usize> Drive<'a, D> {
     }
 
     /// On to the next frame: rows on the way, forces anew at the end, as a resumed run has them. The first frame is the start.
-    pub(super) fn next_frame(&mut self) -> Result<Snapshot<D>, Failure> {
+    pub(super) fn next_frame(&mut self, progress: &ProgressBar) -> Result<Snapshot<D>, Failure> {
         if self.frames == 0 {
             self.frames = 1;
             return self.row();
@@ -63,6 +65,7 @@ impl<'a, const D: usize> Drive<'a, D> {
         for time in times {
             self.simulation.advance(time).map_err(|error| self.lost(error))?;
             snapshot = Some(self.row()?);
+            progress.inc(1);
         }
         self.simulation.prepare().map_err(|error| self.lost(error))?;
         self.frames += 1;

@@ -17,7 +17,7 @@ use crate::run::simulation::Snapshot;
 /// a of Koshizuka and Oka's experiment.
 const WIDTH: f64 = 0.146;
 const GRAVITY: f64 = 9.81;
-/// The walls' height over a.
+/// The tank's height over a; it has a roof.
 const WALL_HEIGHT: i64 = 4;
 
 /// The dam break, in two dimensions or in three, where the tank is a deep.
@@ -79,8 +79,6 @@ impl<const D: usize> Case<D> for DamBreak {
         let density = 1000.0;
         let mut gravity = [0.0; D];
         gravity[D - 1] = -GRAVITY;
-        let mut ends = [(true, true); D];
-        ends[D - 1] = (true, false);
         let tank = self.counts(4, WALL_HEIGHT);
         let margin = 3.0 * spacing;
         Setup {
@@ -97,7 +95,7 @@ impl<const D: usize> Case<D> for DamBreak {
             velocities: vec![[0.0; D]; positions.len()],
             pressures: positions.iter().map(|x| density * GRAVITY * first_pressure(x[0], x[D - 1])).collect(),
             positions,
-            walls: walls(tank, reach.ceil() as i64, ends, spacing),
+            walls: walls(tank, reach.ceil() as i64, [(true, true); D], spacing),
             lower: [-margin; D],
             upper: tank.map(|count| count as f64 * spacing + margin),
             periodic: [false; D],
@@ -160,7 +158,7 @@ impl<const D: usize> Case<D> for DamBreak {
 
     fn view(&self) -> View {
         let speed = 2.0 * (GRAVITY * 2.0 * WIDTH).sqrt();
-        View { lower: [0.0; 2], upper: [4.0 * WIDTH, 2.4 * WIDTH], speed }
+        View { radius: 0.5 * self.spacing(), lower: [0.0; 2], upper: [4.0 * WIDTH, 2.4 * WIDTH], speed }
     }
 }
 

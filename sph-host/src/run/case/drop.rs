@@ -151,7 +151,7 @@ impl Case<2> for Drop {
     }
 
     fn view(&self) -> View {
-        View { lower: [-1.2 * RADIUS, -2.2 * RADIUS], upper: [1.2 * RADIUS, 2.2 * RADIUS], speed: 1.2 * RATE * RADIUS }
+        View { radius: 0.5 * self.spacing(), lower: [-1.2 * RADIUS, -2.2 * RADIUS], upper: [1.2 * RADIUS, 2.2 * RADIUS], speed: 1.2 * RATE * RADIUS }
     }
 }
 

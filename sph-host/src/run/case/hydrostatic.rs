@@ -113,6 +113,6 @@ impl Case<2> for Hydrostatic {
     }
 
     fn view(&self) -> View {
-        View { lower: [0.0; 2], upper: [DEPTH, 1.1 * DEPTH], speed: 0.2 }
+        View { radius: 0.5 * self.spacing(), lower: [0.0; 2], upper: [DEPTH, 1.1 * DEPTH], speed: 0.2 }
     }
 }

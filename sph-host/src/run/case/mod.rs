@@ -24,6 +24,8 @@ pub(super) struct View {
     /// The box, across and up.
     pub(super) lower: [f64; 2],
     pub(super) upper: [f64; 2],
+    /// The radius of a particle.
+    pub(super) radius: f64,
     /// The greatest speed of the colours.
     pub(super) speed: f64,
 }

@@ -129,7 +129,7 @@ impl Case<2> for Poiseuille {
 
     fn view(&self) -> View {
         let along = (f64::from(self.resolution) / 2.0).max(8.0) / f64::from(self.resolution);
-        View { lower: [0.0; 2], upper: [along * WIDTH, WIDTH], speed: FORCE * WIDTH * WIDTH / (8.0 * VISCOSITY) }
+        View { radius: 0.5 * WIDTH / f64::from(self.resolution), lower: [0.0; 2], upper: [along * WIDTH, WIDTH], speed: FORCE * WIDTH * WIDTH / (8.0 * VISCOSITY) }
     }
 }
 

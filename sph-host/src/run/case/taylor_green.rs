@@ -95,6 +95,6 @@ impl Case<2> for TaylorGreen {
     }
 
     fn view(&self) -> View {
-        View { lower: [0.0; 2], upper: [1.0; 2], speed: 1.0 }
+        View { radius: 0.5 / f64::from(self.resolution), lower: [0.0; 2], upper: [1.0; 2], speed: 1.0 }
     }
 }
