@@ -88,10 +88,12 @@ impl<const D: usize> Meter<D> {
         ]
     }
 
-    /// How many particles are beyond the walls, or nowhere.
+    /// How many particles are nowhere, or behind the first layer of wall particles. One that hits a wall hard may come as far.
     fn outside(&self, now: &Snapshot<D>) -> usize {
+        let slack = self.spacing;
         let is_inside = |x: &&[f64; D]| {
-            x.iter().zip(&self.inside).all(|(x, &(lower, upper))| (lower..=upper).contains(x))
+            let mut sides = x.iter().zip(&self.inside);
+            sides.all(|(x, &(lower, upper))| (lower - slack..=upper + slack).contains(x))
         };
         now.positions.len() - now.positions.iter().filter(is_inside).count()
     }

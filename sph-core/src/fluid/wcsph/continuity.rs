@@ -24,11 +24,15 @@ impl<T: Scalar, const D: usize, W: Influence<T, D>> Scheme<T, D, W> {
         search.for_each(x, self.influence.support_radius(), |neighbour| {
             let j = neighbour.index;
             let slope = self.influence.gradient(&neighbour.offset, neighbour.distance_squared);
+            let Some(other) = state.seen(j) else { return };
             if j >= state.fluid {
-                compression.add(dot(&own.velocity, &slope));
+                let rate = dot(&own.velocity, &slope);
+                // A wall that does not pull does not thin the fluid that leaves it.
+                if rate > T::ZERO || own.push() + other.push() > T::ZERO {
+                    compression.add(rate);
+                }
                 return;
             }
-            let Some(other) = state.seen(j) else { return };
             compression.add(dot(&sub(&own.velocity, &other.velocity), &slope));
             if diffusive && neighbour.distance_squared > T::ZERO {
                 let gradient =

@@ -97,6 +97,14 @@ struct Seen<T, const D: usize> {
     pressure: T,
 }
 
+impl<T: Scalar, const D: usize> Seen<T, D> {
+    /// p/ρ²
+    #[inline(always)]
+    fn push(&self) -> T {
+        self.pressure / (self.density * self.density)
+    }
+}
+
 impl<T: Scalar, const D: usize> State<'_, T, D> {
     #[inline(always)]
     fn seen(&self, j: usize) -> Option<Seen<T, D>> {

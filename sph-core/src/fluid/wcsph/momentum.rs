@@ -83,13 +83,15 @@ impl<T: Scalar, const D: usize, W: Influence<T, D>> Scheme<T, D, W> {
         })
     }
 
-    /// p_i/ρ_i² + p_j/ρ_j² + Π_ij
+    /// p_i/ρ_i² + p_j/ρ_j² + Π_ij; of a wall without Π and not below zero, for walls push and do not pull.
     #[inline(always)]
     fn stress(&self, own: &Seen<T, D>, other: &Seen<T, D>, pair: &Neighbour<T, D>, is_fluid: bool) -> T {
-        let pressure =
-            own.pressure / (own.density * own.density) + other.pressure / (other.density * other.density);
+        let pressure = own.push() + other.push();
+        if !is_fluid {
+            return pressure.positive_part();
+        }
         let approach = dot(&sub(&own.velocity, &other.velocity), &pair.offset);
-        if !is_fluid || !(approach < T::ZERO) || self.liquid.artificial_viscosity == T::ZERO {
+        if !(approach < T::ZERO) || self.liquid.artificial_viscosity == T::ZERO {
             return pressure;
         }
         let length = self.length();
