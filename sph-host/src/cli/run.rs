@@ -72,7 +72,8 @@ pub(super) fn run(args: RunArgs) -> Result<(), Failure> {
     use std::io::Write;
 
     if args.list {
-        let lines = CaseName::value_variants().iter().map(|case| format!("{:<14}{}\n", case.name(), case.about()));
+        let lines =
+            CaseName::value_variants().iter().map(|case| format!("{:<14}{}\n", case.name(), case.about()));
         return to_stdout(std::io::stdout().write_all(lines.collect::<String>().as_bytes()));
     }
     let out = args.out.unwrap_or_else(|| PathBuf::from(format!("fluisim-{}", args.case.name())));

@@ -49,7 +49,8 @@ impl Folder {
                 fs::remove_file(&file).map_err(|error| failed(&file, &error))?;
             }
         } else if !earlier.is_empty() {
-            let message = format!("{place}: already holds a run; use --resume to go on with it, --force to replace it");
+            let message =
+                format!("{place}: already holds a run; use --resume to go on with it, --force to replace it");
             return Err(Failure::input(message));
         }
         Ok(folder)
@@ -62,7 +63,9 @@ impl Folder {
             let path = entry.map_err(|error| failed(&self.path, &error))?.path();
             let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
             let is_frame = name.starts_with("frame_") && (name.ends_with(".vtu") || name.ends_with(".png"));
-            if is_frame || [CHECKPOINT, SERIES, SUMMARY, "frames.pvd", "animation.gif"].contains(&name.as_str()) {
+            if is_frame
+                || [CHECKPOINT, SERIES, SUMMARY, "frames.pvd", "animation.gif"].contains(&name.as_str())
+            {
                 files.push(path);
             }
         }
@@ -95,7 +98,10 @@ impl Folder {
     }
 
     /// Brings a run to its last complete frame, if there is one.
-    pub(super) fn resume<const D: usize>(&self, drive: &mut Drive<D>) -> Result<Option<Snapshot<D>>, Failure> {
+    pub(super) fn resume<const D: usize>(
+        &self,
+        drive: &mut Drive<D>,
+    ) -> Result<Option<Snapshot<D>>, Failure> {
         let Some(checkpoint) = &self.checkpoint else { return Ok(None) };
         let place = self.path.join(CHECKPOINT);
         let number = |name: &str| {
@@ -217,7 +223,10 @@ impl Folder {
         let times = drive.series.rows.iter().step_by(ROWS_A_FRAME as usize).map(|row| row[0]);
         let target = self.target(self.path.join("frames.pvd"));
         Ok(target.create(|file| {
-            writeln!(file, "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\">\n<Collection>")?;
+            writeln!(
+                file,
+                "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\">\n<Collection>"
+            )?;
             for (number, time) in times.enumerate() {
                 writeln!(file, r#"<DataSet timestep="{time}" file="frame_{number:04}.vtu"/>"#)?;
             }

@@ -18,8 +18,9 @@ const WIDTH: u32 = 900;
 /// The snapshot as a table that [`restore`] reads to the same bits.
 pub(super) fn table<const D: usize>(now: &Snapshot<D>, scalar: ScalarName) -> Table {
     let along = |vectors: &[[f64; D]], axis: usize| vectors.iter().map(|vector| vector[axis]).collect();
-    let mut columns: Vec<Column> =
-        (0..D).map(|axis| Column::new(format!("velocity_{}", AXES[axis]), along(&now.velocities, axis))).collect();
+    let mut columns: Vec<Column> = (0..D)
+        .map(|axis| Column::new(format!("velocity_{}", AXES[axis]), along(&now.velocities, axis)))
+        .collect();
     columns.push(Column::new("density", now.densities.clone()));
     columns.push(Column::new("pressure", now.pressures.clone()));
     Table {
@@ -42,7 +43,8 @@ pub(super) fn restore<const D: usize>(path: &Path, time: f64) -> Result<Snapshot
         for (velocity, value) in velocities.iter_mut().zip(along) {
             velocity[axis] = value;
         }
-        for (position, &value) in positions.iter_mut().zip(table.coordinates.get(axis).into_iter().flatten()) {
+        for (position, &value) in positions.iter_mut().zip(table.coordinates.get(axis).into_iter().flatten())
+        {
             position[axis] = value;
         }
     }
@@ -50,7 +52,11 @@ pub(super) fn restore<const D: usize>(path: &Path, time: f64) -> Result<Snapshot
 }
 
 /// The particles coloured by their speed; in three dimensions as seen from the side.
-pub(super) fn picture<const D: usize>(now: &Snapshot<D>, view: &View, title: &str) -> Result<Image, PictureError> {
+pub(super) fn picture<const D: usize>(
+    now: &Snapshot<D>,
+    view: &View,
+    title: &str,
+) -> Result<Image, PictureError> {
     let mut order: Vec<usize> = (0..now.positions.len()).collect();
     if D == 3 {
         // from the back to the front

@@ -16,6 +16,8 @@ mod series;
 mod setup;
 mod simulation;
 mod summary;
+#[cfg(test)]
+mod tests;
 
 pub use series::Check;
 pub use summary::Summary;
@@ -140,8 +142,12 @@ pub fn run(options: &Options, progress: &ProgressBar) -> Result<Summary, Failure
         .map_err(|error| Failure::input(format!("cannot start the threads: {error}")))?;
     let rounding = if options.scalar == ScalarName::F64 { 1e-12 } else { 1e-4 };
     pool.install(|| match (options.case, options.dim) {
-        (CaseName::DamBreak, 3) => simulate::<3>(options, resolution, &case::DamBreak { resolution }, progress),
-        (CaseName::DamBreak, _) => simulate::<2>(options, resolution, &case::DamBreak { resolution }, progress),
+        (CaseName::DamBreak, 3) => {
+            simulate::<3>(options, resolution, &case::DamBreak { resolution }, progress)
+        }
+        (CaseName::DamBreak, _) => {
+            simulate::<2>(options, resolution, &case::DamBreak { resolution }, progress)
+        }
         (CaseName::Hydrostatic, _) => {
             simulate(options, resolution, &case::Hydrostatic { resolution }, progress)
         }

@@ -10,7 +10,10 @@ pub(super) struct Series {
 impl Series {
     /// A series without rows.
     pub(super) fn new<'a>(columns: impl Iterator<Item = &'a str>) -> Self {
-        Self { columns: std::iter::once("time").chain(columns).map(str::to_owned).collect(), rows: Vec::new() }
+        Self {
+            columns: std::iter::once("time").chain(columns).map(str::to_owned).collect(),
+            rows: Vec::new(),
+        }
     }
 
     /// The pairs (time, value) of a column; none where there is no such column.
@@ -38,7 +41,8 @@ impl Series {
 
     /// Kinetic, potential and compression energy together, over time.
     pub(super) fn energy(&self) -> Vec<[f64; 2]> {
-        let parts = ["kinetic_energy", "potential_energy", "compression_energy"].map(|name| self.column(name));
+        let parts =
+            ["kinetic_energy", "potential_energy", "compression_energy"].map(|name| self.column(name));
         let [kinetic, potential, compression] = &parts;
         let sum = kinetic.iter().zip(potential).zip(compression);
         sum.map(|((k, p), c)| [k[0], k[1] + p[1] + c[1]]).collect()

@@ -126,7 +126,10 @@ impl<T: Scalar, const D: usize> Simulation<T, D> {
 }
 
 /// Cells as wide as the support, over the box of the setup.
-pub(super) fn layout<T: Scalar, const D: usize>(setup: &Setup<D>, support: f64) -> Result<CellLayout<T, D>, Error> {
+pub(super) fn layout<T: Scalar, const D: usize>(
+    setup: &Setup<D>,
+    support: f64,
+) -> Result<CellLayout<T, D>, Error> {
     let counts = std::array::from_fn(|axis| {
         ((setup.upper[axis] - setup.lower[axis]) / support).floor().clamp(1.0, 1e6) as u32
     });

@@ -29,7 +29,8 @@ impl Summary {
         let checks = drive.checks(last);
         let particles = last.positions.len();
         let energy = drive.series.energy();
-        let (first, final_energy) = (energy.first().map_or(0.0, |e| e[1]), energy.last().map_or(0.0, |e| e[1]));
+        let (first, final_energy) =
+            (energy.first().map_or(0.0, |e| e[1]), energy.last().map_or(0.0, |e| e[1]));
         let scale = if first == 0.0 { 1.0 } else { first.abs() };
         let escaped = drive.series.last("outside").unwrap_or(0.0);
         let most = drive.series.column("outside").iter().map(|point| point[1]).fold(0.0, f64::max);

@@ -27,6 +27,9 @@ mod step;
 mod time_step;
 mod wall;
 
+#[cfg(test)]
+mod tests;
+
 pub use momentum::Forces;
 pub use step::{Executor, Particles, Sequential};
 pub use time_step::Limits;

@@ -112,13 +112,7 @@ impl<T: Scalar, const D: usize, W: Influence<T, D>> Scheme<T, D, W> {
 
     /// ν (1/ρ_i + 1/ρ_j) F_ij
     #[inline(always)]
-    fn friction(
-        &self,
-        own: &Seen<T, D>,
-        other: &Seen<T, D>,
-        pair: &Neighbour<T, D>,
-        slope: &[T; D],
-    ) -> T {
+    fn friction(&self, own: &Seen<T, D>, other: &Seen<T, D>, pair: &Neighbour<T, D>, slope: &[T; D]) -> T {
         if pair.distance_squared == T::ZERO {
             return T::ZERO;
         }

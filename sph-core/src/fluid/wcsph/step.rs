@@ -191,9 +191,8 @@ impl<T: Scalar, const D: usize, W: Influence<T, D> + Sync> Scheme<T, D, W> {
     fn update_walls<I: Index>(&self, particles: &mut Particles<T, D, I>, executor: &impl Executor) {
         let Parts { search, state, walls, .. } = particles.parts(self.layout);
         let rest = WallState::at_rest(&self.liquid.equation_of_state);
-        executor.fill(walls, |wall| {
-            self.wall(&search, &state, state.fluid.wrapping_add(wall)).unwrap_or(rest)
-        });
+        executor
+            .fill(walls, |wall| self.wall(&search, &state, state.fluid.wrapping_add(wall)).unwrap_or(rest));
         let of_walls = particles.velocities.iter_mut().zip(particles.densities.iter_mut());
         let of_walls = of_walls.zip(particles.pressures.iter_mut()).skip(particles.forces.len());
         for (((velocity, density), pressure), wall) in of_walls.zip(particles.walls.iter()) {

@@ -65,7 +65,8 @@ fn first_pressure(x: f64, z: f64) -> f64 {
         let n = f64::from(2 * k + 1);
         let rate = n * PI / (2.0 * height);
         // cosh(rate x) / cosh(rate a), without overflow
-        let across = ((rate * (x - WIDTH)).exp() + (-rate * (x + WIDTH)).exp()) / (1.0 + (-2.0 * rate * WIDTH).exp());
+        let across =
+            ((rate * (x - WIDTH)).exp() + (-rate * (x + WIDTH)).exp()) / (1.0 + (-2.0 * rate * WIDTH).exp());
         across * (rate * z).cos() / (n * n)
     });
     (height - z - 8.0 * height / (PI * PI) * terms.sum::<f64>()).max(0.0)
@@ -123,7 +124,11 @@ impl<const D: usize> Case<D> for DamBreak {
     fn checks(&self, series: &Series, _: &Snapshot<D>) -> Vec<Check> {
         let rms = |name| Self::deviation(series, name);
         vec![
-            Check::at_most("front against Koshizuka & Oka's computation, RMS", rms("koshizuka_oka_mps"), 0.04),
+            Check::at_most(
+                "front against Koshizuka & Oka's computation, RMS",
+                rms("koshizuka_oka_mps"),
+                0.04,
+            ),
             Check::at_most("front against Koshizuka & Oka's experiment, RMS", rms("koshizuka_oka"), 0.12),
             Check::at_most("growth of total energy", series.energy_growth(), 1e-3),
         ]

@@ -36,10 +36,10 @@ impl Drop {
 /// (a, b, A) at a time, by Runge and Kutta's fourth-order method.
 fn exact(time: f64) -> [f64; 3] {
     const STEPS: u32 = 2000;
-    let slope = |[a, b, rate]: [f64; 3]| {
-        [-rate * a, rate * b, rate * rate * (a * a - b * b) / (a * a + b * b)]
-    };
-    let along = |x: [f64; 3], k: [f64; 3], step: f64| -> [f64; 3] { std::array::from_fn(|i| x[i] + step * k[i]) };
+    let slope =
+        |[a, b, rate]: [f64; 3]| [-rate * a, rate * b, rate * rate * (a * a - b * b) / (a * a + b * b)];
+    let along =
+        |x: [f64; 3], k: [f64; 3], step: f64| -> [f64; 3] { std::array::from_fn(|i| x[i] + step * k[i]) };
     let step = time / f64::from(STEPS);
     (0..STEPS).fold([RADIUS, RADIUS, RATE], |x, _| {
         let k1 = slope(x);
@@ -63,14 +63,19 @@ fn end() -> f64 {
 
 /// The semi-axes of the uniform ellipse with the particles' second moments: 2 √⟨x²⟩.
 fn semi_axes(positions: &[[f64; 2]]) -> [f64; 2] {
-    let mean = |axis: usize| positions.iter().map(|x| x[axis] * x[axis]).sum::<f64>() / positions.len() as f64;
+    let mean =
+        |axis: usize| positions.iter().map(|x| x[axis] * x[axis]).sum::<f64>() / positions.len() as f64;
     [2.0 * mean(0).sqrt(), 2.0 * mean(1).sqrt()]
 }
 
 impl Case<2> for Drop {
     fn setup(&self) -> Setup<2> {
         let (spacing, n) = (self.spacing(), i64::from(self.resolution));
-        let mut positions: Vec<_> = cells([-n; 2], [n; 2]).iter().enumerate().map(|(i, cell)| jittered(i, centre(cell, spacing), 0.2 * spacing)).collect();
+        let mut positions: Vec<_> = cells([-n; 2], [n; 2])
+            .iter()
+            .enumerate()
+            .map(|(i, cell)| jittered(i, centre(cell, spacing), 0.2 * spacing))
+            .collect();
         let square = |x: &[f64; 2]| (x[0] * x[0] + x[1] * x[1]) / (RADIUS * RADIUS);
         positions.retain(|x| square(x) < 1.0);
         let greatest = 0.5 * DENSITY * RATE * RATE * RADIUS * RADIUS;
@@ -151,7 +156,12 @@ impl Case<2> for Drop {
     }
 
     fn view(&self) -> View {
-        View { radius: 0.5 * self.spacing(), lower: [-1.2 * RADIUS, -2.2 * RADIUS], upper: [1.2 * RADIUS, 2.2 * RADIUS], speed: 1.2 * RATE * RADIUS }
+        View {
+            radius: 0.5 * self.spacing(),
+            lower: [-1.2 * RADIUS, -2.2 * RADIUS],
+            upper: [1.2 * RADIUS, 2.2 * RADIUS],
+            speed: 1.2 * RATE * RADIUS,
+        }
     }
 }
 

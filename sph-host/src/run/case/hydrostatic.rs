@@ -93,7 +93,9 @@ impl Case<2> for Hydrostatic {
             y_title: "z / H".into(),
             series: vec![
                 Curve { name: "fluisim".into(), points: ours.collect(), mark: Mark::Points },
-                Curve { name: "ρ g (H − z)".into(), points: vec![[1.0, 0.0], [0.0, 1.0]], mark: Mark::Line },
+                Curve {
+                    name: "ρ g (H − z)".into(), points: vec![[1.0, 0.0], [0.0, 1.0]], mark: Mark::Line
+                },
             ],
             ..Plot::default()
         };

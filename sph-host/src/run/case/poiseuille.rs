@@ -121,7 +121,11 @@ impl Case<2> for Poiseuille {
             title: "Worst error of the profile over its greatest velocity".into(),
             x_title: "t / s".into(),
             y_title: "error".into(),
-            series: vec![Curve { name: "error".into(), points: series.column("profile_error"), mark: Mark::Line }],
+            series: vec![Curve {
+                name: "error".into(),
+                points: series.column("profile_error"),
+                mark: Mark::Line,
+            }],
             ..Plot::default()
         };
         ("profile.png", vec![vec![profile, error]])
@@ -129,7 +133,12 @@ impl Case<2> for Poiseuille {
 
     fn view(&self) -> View {
         let along = (f64::from(self.resolution) / 2.0).max(8.0) / f64::from(self.resolution);
-        View { radius: 0.5 * WIDTH / f64::from(self.resolution), lower: [0.0; 2], upper: [along * WIDTH, WIDTH], speed: FORCE * WIDTH * WIDTH / (8.0 * VISCOSITY) }
+        View {
+            radius: 0.5 * WIDTH / f64::from(self.resolution),
+            lower: [0.0; 2],
+            upper: [along * WIDTH, WIDTH],
+            speed: FORCE * WIDTH * WIDTH / (8.0 * VISCOSITY),
+        }
     }
 }
 

@@ -29,7 +29,11 @@ impl Case<2> for TaylorGreen {
     fn setup(&self) -> Setup<2> {
         let n = i64::from(self.resolution);
         let spacing = 1.0 / f64::from(self.resolution);
-        let positions: Vec<_> = cells([0; 2], [n; 2]).iter().enumerate().map(|(i, cell)| jittered(i, centre(cell, spacing), 0.2 * spacing)).collect();
+        let positions: Vec<_> = cells([0; 2], [n; 2])
+            .iter()
+            .enumerate()
+            .map(|(i, cell)| jittered(i, centre(cell, spacing), 0.2 * spacing))
+            .collect();
         let k = 2.0 * PI;
         Setup {
             spacing,
@@ -46,7 +50,10 @@ impl Case<2> for TaylorGreen {
                 .iter()
                 .map(|[x, y]| [-(k * x).cos() * (k * y).sin(), (k * x).sin() * (k * y).cos()])
                 .collect(),
-            pressures: positions.iter().map(|[x, y]| -0.25 * ((2.0 * k * x).cos() + (2.0 * k * y).cos())).collect(),
+            pressures: positions
+                .iter()
+                .map(|[x, y]| -0.25 * ((2.0 * k * x).cos() + (2.0 * k * y).cos()))
+                .collect(),
             positions,
             walls: Vec::new(),
             lower: [0.0; 2],
