@@ -138,7 +138,7 @@ fn walls_extrapolate_a_linear_pressure_and_push_only() {
     // the wall last, fluid first
     let positions: [[f64; 2]; N] = core::array::from_fn(|i| positions[(i + 1) % N]);
     let pressure_at = |x: &[f64; 2]| 5.0 + dot(&scheme.liquid.gravity, x);
-    let mut pressures = positions.map(|x| pressure_at(&x));
+    let pressures = positions.map(|x| pressure_at(&x));
     let (velocities, densities, drifts) = ([[0.5, -0.25]; N], [1.0; N], [[0.0; 2]; N - 1]);
     let search = BruteForce::new(&positions).unwrap();
     let state = |pressures| State {
@@ -153,8 +153,7 @@ fn walls_extrapolate_a_linear_pressure_and_push_only() {
     near(scheme.liquid.equation_of_state.pressure(wall.density), wall.pressure);
     near(wall.velocity[0], -0.5);
     near(wall.velocity[1], 0.25);
-    pressures = [-5.0; N];
-    let wall = scheme.wall(&search, &state(&pressures), N - 1).unwrap();
+    let wall = scheme.wall(&search, &state(&[-5.0; N]), N - 1).unwrap();
     assert_eq!((wall.pressure, wall.density), (0.0, 1.0));
 }
 
