@@ -70,7 +70,11 @@ impl<T: Scalar, const D: usize> Domain<T, D> {
     /// The image of x that lies in [lower, lower + length) along every periodic axis. What is not finite stays so; what is
     /// 2³¹ periods away or farther becomes `lower`.
     pub fn wrap(&self, x: &[T; D]) -> [T; D] {
-        core::array::from_fn(|axis| wrap_along(&self.axes[axis], x[axis]))
+        let mut wrapped = *x;
+        for (coordinate, kind) in wrapped.iter_mut().zip(&self.axes) {
+            *coordinate = wrap_along(kind, *coordinate);
+        }
+        wrapped
     }
 
     /// Every coordinate is finite, and inside on periodic axes.

@@ -126,9 +126,11 @@ impl<T: Scalar, I: Index, const D: usize> Neighbours<T, D> for CellGrid<'_, T, I
         }
         let x = self.layout.domain.wrap(x);
         let radius_squared = radius * radius;
-        let ranges = core::array::from_fn(|axis| {
-            self.layout.axes[axis].range(&self.layout.domain.axes()[axis], x[axis], radius)
-        });
+        let mut ranges = [(0, 0); D];
+        let along = self.layout.axes.iter().zip(self.layout.domain.axes()).zip(&x);
+        for (range, ((axis, kind), &coordinate)) in ranges.iter_mut().zip(along) {
+            *range = axis.range(kind, coordinate, radius);
+        }
         let mut row = ranges.map(|(first, _)| first);
         loop {
             self.visit_row(&row, ranges[0].1, &x, radius_squared, &mut visit);

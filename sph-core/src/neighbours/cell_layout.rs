@@ -38,6 +38,12 @@ const FARTHEST: i32 = 1 << 30;
 /// The most cells along one axis.
 const MOST_CELLS: u32 = 1 << 20;
 
+/// The number, held between two others: `clamp` without its panic where they are the wrong way round.
+#[inline(always)]
+fn held(number: i32, lowest: i32, highest: i32) -> i32 {
+    number.max(lowest).min(highest)
+}
+
 impl<T: Scalar> CellAxis<T> {
     /// The cell number of a coordinate, before its ends are looked at; what overflows is farthest, and above where
     /// it compares with nothing.
@@ -65,7 +71,7 @@ impl<T: Scalar> CellAxis<T> {
         let most = self.count.get() as i32 - 1;
         match self.ends {
             Ends::Repeated => (first, last.min(first.saturating_add(most))),
-            Ends::Clamped | Ends::Periodic => (first.clamp(0, most), last.clamp(0, most)),
+            Ends::Clamped | Ends::Periodic => (held(first, 0, most), held(last, 0, most)),
         }
     }
 
@@ -80,13 +86,13 @@ impl<T: Scalar> CellAxis<T> {
         let reach = radius + (error * x.abs() + error * radius + error * length);
         let number = |end: T, side: i32| {
             if is_inside(kind, end) {
-                return self.raw(end).clamp(0, count - 1);
+                return held(self.raw(end), 0, count - 1);
             }
             let images = image_reach(kind, radius).min(FARTHEST / count);
             let periods = (end - self.origin) / length;
             let k = if periods.is_finite() { periods.floor_to_i32() } else { side * images };
-            let k = k.clamp(-images, images);
-            k * count + self.raw(end - length.times(k)).clamp(0, count - 1)
+            let k = held(k, -images, images);
+            k * count + held(self.raw(end - length.times(k)), 0, count - 1)
         };
         (number(x - reach, -1), number(x + reach, 1))
     }
@@ -114,7 +120,7 @@ impl<T: Scalar> CellAxis<T> {
         let number = self.raw(coordinate);
         match self.ends {
             Ends::Repeated => self.locate(number).0,
-            Ends::Clamped | Ends::Periodic => number.clamp(0, self.count.get() as i32 - 1) as u32,
+            Ends::Clamped | Ends::Periodic => held(number, 0, self.count.get() as i32 - 1) as u32,
         }
     }
 }
@@ -219,9 +225,8 @@ impl<T: Scalar, const D: usize> CellLayout<T, D> {
     #[inline(always)]
     pub(super) fn cell_of(&self, x: &[T; D]) -> usize {
         let mut cell = 0_usize;
-        for axis in (0..D).rev() {
-            let along = &self.axes[axis];
-            cell = cell.wrapping_mul(along.count.get() as usize).wrapping_add(along.cell(x[axis]) as usize);
+        for (axis, &coordinate) in self.axes.iter().zip(x).rev() {
+            cell = cell.wrapping_mul(axis.count.get() as usize).wrapping_add(axis.cell(coordinate) as usize);
         }
         cell
     }

@@ -1,0 +1,52 @@
+//! Digests of every kernel: influence, gradient, and both together, at distances from 0 to beyond the support.
+
+use crate::{Fnv, Item, Scene};
+use sph_core::kernel::{
+    CubicSpline, Kernel, Poly6, QuarticSpline, QuinticSpline, Spiky, ViscosityLaplacian, WendlandC2,
+    WendlandC4, WendlandC6,
+};
+use sph_core::{Error, Influence, KernelInfluence, Scalar, ball};
+
+/// How many distances.
+const STEPS: i32 = 40;
+
+pub(crate) fn digest<T: Scalar, const D: usize>(emit: &mut impl FnMut(Item)) -> Result<(), Error> {
+    emit(of::<T, D, Poly6>("poly6")?);
+    emit(of::<T, D, Spiky>("spiky")?);
+    emit(of::<T, D, CubicSpline>("cubic-spline")?);
+    emit(of::<T, D, QuarticSpline>("quartic-spline")?);
+    emit(of::<T, D, QuinticSpline>("quintic-spline")?);
+    emit(of::<T, D, WendlandC2>("wendland-c2")?);
+    emit(of::<T, D, WendlandC4>("wendland-c4")?);
+    emit(of::<T, D, WendlandC6>("wendland-c6")?);
+    emit(laplacian::<T, D>()?);
+    Ok(())
+}
+
+fn item<T: Scalar, const D: usize>(by: &'static str, quantity: &'static str, digest: Fnv) -> Item {
+    Item { scalar: T::NAME, dim: D, by, quantity, digest: digest.get() }
+}
+
+fn of<T: Scalar, const D: usize, K: Kernel>(by: &'static str) -> Result<Item, Error> {
+    let w = KernelInfluence::<T, D, K>::new(Scene::<T, D>::support_radius())?;
+    let mut digest = Fnv::new();
+    for i in 0..=STEPS {
+        let x = core::array::from_fn(|axis| T::ratio(i * (1 - 2 * axis as i32), STEPS + 16 * axis as i32));
+        digest.add(w.influence_at(&x).canonical_bits());
+        for component in w.gradient_at(&x) {
+            digest.add(component.canonical_bits());
+        }
+    }
+    Ok(item::<T, D>(by, "influence", digest))
+}
+
+fn laplacian<T: Scalar, const D: usize>() -> Result<Item, Error> {
+    let support_radius = Scene::<T, D>::support_radius();
+    let laplacian = ViscosityLaplacian::<T, D>::new(support_radius)?;
+    let mut digest = Fnv::new();
+    for i in 0..=STEPS {
+        digest.add(laplacian.at_distance(T::ratio(i, STEPS)).canonical_bits());
+    }
+    digest.add(ball::volume::<T, D>(support_radius).canonical_bits());
+    Ok(item::<T, D>("viscosity", "laplacian", digest))
+}

@@ -1,0 +1,7 @@
+//! The whole public API, on inputs that the compiler knows nothing of.
+#![no_std]
+#![no_main]
+
+use fluisim_footprint::exercise::Inputs;
+
+fluisim_footprint::firmware!(Inputs, |inputs: &mut Inputs| inputs.run());

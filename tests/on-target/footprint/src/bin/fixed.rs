@@ -1,0 +1,8 @@
+//! Density, interpolation and gradient, in fixed point.
+#![no_std]
+#![no_main]
+
+use fluisim_footprint::typical::{self, Storage};
+use sph_core::scalar::fixed::{I16F16, Saturating};
+
+fluisim_footprint::firmware!(Storage<Saturating<I16F16>>, typical::fields);

@@ -1,0 +1,49 @@
+//! Builds firmware and says where it is.
+
+use crate::target::Target;
+use crate::toolchain::Toolchain;
+use anyhow::{Context, Result, bail};
+use cargo_metadata::Message;
+use std::io::BufReader;
+use std::path::PathBuf;
+use std::process::{Command, Stdio};
+
+/// An executable, or a library that is loaded as one.
+#[derive(Clone, Debug)]
+pub(crate) struct Firmware {
+    /// The name of the test or binary.
+    pub(crate) name: String,
+    /// Where it is.
+    pub(crate) path: PathBuf,
+}
+
+/// Builds with the machine's memory map; `arguments` choose package, profile and features.
+pub(crate) fn build(target: &Target, arguments: &[&str]) -> Result<Vec<Firmware>> {
+    let mut command = Toolchain::find(target.triple)?.cargo("build", target.triple);
+    command.args(arguments).env("FLUISIM_MACHINE", target.machine);
+    run(command)
+}
+
+/// Runs a cargo command; gives the executables, and the libraries with C linkage, in the order of their names.
+pub(crate) fn run(mut command: Command) -> Result<Vec<Firmware>> {
+    command
+        .current_dir(crate::root())
+        .args(["--locked", "--quiet", "--message-format=json-render-diagnostics"])
+        .stdout(Stdio::piped());
+    let mut child = command.spawn().with_context(|| format!("cannot start {command:?}"))?;
+    let stdout = child.stdout.take().context("cargo's output is piped")?;
+    let mut built = Vec::new();
+    for message in Message::parse_stream(BufReader::new(stdout)) {
+        if let Message::CompilerArtifact(artifact) = message? {
+            let module = artifact.filenames.iter().find(|file| file.extension() == Some("wasm"));
+            if let Some(path) = artifact.executable.as_ref().or(module) {
+                built.push(Firmware { name: artifact.target.name, path: path.into() });
+            }
+        }
+    }
+    if !child.wait()?.success() {
+        bail!("{command:?} failed");
+    }
+    built.sort_by(|a, b| a.name.cmp(&b.name));
+    Ok(built)
+}

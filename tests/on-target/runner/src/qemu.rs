@@ -1,0 +1,80 @@
+//! Runs firmware on an emulated machine and reads its log.
+
+use crate::target::Target;
+use anyhow::{Context, Result, bail};
+use defmt_decoder::{DecodeError, Table};
+use std::io::Read;
+use std::path::Path;
+use std::process::{Child, Command, Stdio};
+use std::thread;
+use std::time::{Duration, Instant};
+
+/// Firmware that runs longer than this is taken to hang.
+const PATIENCE: Duration = Duration::from_secs(120);
+
+/// What a run came to.
+#[derive(Clone, Debug)]
+pub(crate) struct Outcome {
+    /// Whether the firmware ended by itself, reporting success.
+    pub(crate) success: bool,
+    /// Its log, a message each.
+    pub(crate) log: Vec<String>,
+}
+
+/// Runs firmware to its end.
+pub(crate) fn run(target: &Target, elf: &Path, more: &[&str]) -> Result<Outcome> {
+    let (program, machine) = target.qemu();
+    let mut child = Command::new(program)
+        .args(machine)
+        .args(["-nographic", "-monitor", "none", "-serial", "none"])
+        .args(["-semihosting-config", "enable=on,target=native"])
+        .args(more)
+        .arg("-kernel")
+        .arg(elf)
+        .stdin(Stdio::null())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .with_context(|| format!("cannot start {program}"))?;
+    let mut stdout = child.stdout.take().context("QEMU's output is piped")?;
+    let reader = thread::spawn(move || {
+        let mut bytes = Vec::new();
+        stdout.read_to_end(&mut bytes).map(|_| bytes)
+    });
+    let success = ends_well(&mut child)?;
+    let Ok(bytes) = reader.join() else { bail!("the thread that reads from QEMU panicked") };
+    if !success {
+        std::io::copy(&mut child.stderr.take().context("QEMU's errors are piped")?, &mut std::io::stderr())?;
+    }
+    Ok(Outcome { success, log: decode(elf, &bytes?)? })
+}
+
+fn ends_well(child: &mut Child) -> Result<bool> {
+    let start = Instant::now();
+    loop {
+        if let Some(status) = child.try_wait()? {
+            return Ok(status.success());
+        }
+        if start.elapsed() > PATIENCE {
+            child.kill()?;
+            child.wait()?;
+            return Ok(false);
+        }
+        thread::sleep(Duration::from_millis(10));
+    }
+}
+
+fn decode(elf: &Path, bytes: &[u8]) -> Result<Vec<String>> {
+    let file = std::fs::read(elf).with_context(|| format!("cannot read {}", elf.display()))?;
+    let table = Table::parse(&file)?.with_context(|| format!("{} logs nothing", elf.display()))?;
+    let mut decoder = table.new_stream_decoder();
+    decoder.received(bytes);
+    let mut log = Vec::new();
+    loop {
+        match decoder.decode() {
+            Ok(frame) => log.push(frame.display_message().to_string()),
+            Err(DecodeError::UnexpectedEof) => return Ok(log),
+            Err(DecodeError::Malformed) => bail!("{} wrote a log that cannot be decoded", elf.display()),
+        }
+    }
+}

@@ -1,0 +1,40 @@
+//! The processors, and the machine that QEMU stands in for each with.
+
+/// A compilation target and the emulated machine that its firmware runs on.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Target {
+    /// The target's name, as rustc knows it.
+    pub(crate) triple: &'static str,
+    /// The machine's name, as QEMU and the firmware's build script know it.
+    pub(crate) machine: &'static str,
+    /// Whether optimised for debugging everything still fits into its flash.
+    pub(crate) debug: bool,
+}
+
+/// The smallest first.
+pub(crate) const TARGETS: [Target; 5] = [M0, M3, M4F, M33, RV32];
+
+/// Cortex-M0 with 16 KiB of RAM, no floating point, no division.
+pub(crate) const M0: Target = Target { triple: "thumbv6m-none-eabi", machine: "microbit", debug: true };
+/// Cortex-M3.
+const M3: Target = Target { triple: "thumbv7m-none-eabi", machine: "lm3s6965evb", debug: false };
+/// Cortex-M4 with single-precision floating point.
+pub(crate) const M4F: Target = Target { triple: "thumbv7em-none-eabihf", machine: "mps2-an386", debug: true };
+/// Cortex-M33 with single-precision floating point.
+const M33: Target = Target { triple: "thumbv8m.main-none-eabihf", machine: "mps2-an505", debug: false };
+/// RISC-V with multiplication, without floating point.
+pub(crate) const RV32: Target =
+    Target { triple: "riscv32imc-unknown-none-elf", machine: "virt", debug: true };
+
+impl Target {
+    /// The program and arguments that emulate the machine.
+    pub(crate) fn qemu(&self) -> (&'static str, &'static [&'static str]) {
+        match self.machine {
+            "virt" => ("qemu-system-riscv32", &["-machine", "virt", "-bios", "none"]),
+            "microbit" => ("qemu-system-arm", &["-machine", "microbit"]),
+            "lm3s6965evb" => ("qemu-system-arm", &["-machine", "lm3s6965evb"]),
+            "mps2-an505" => ("qemu-system-arm", &["-machine", "mps2-an505"]),
+            _ => ("qemu-system-arm", &["-machine", "mps2-an386"]),
+        }
+    }
+}
