@@ -27,7 +27,7 @@ fn two_threads_give_the_golden_digests() {
 
 #[test]
 fn every_quantity_is_defined_at_most_points() {
-    let scene = Scene::<f64, 2>::new().unwrap();
+    let scene = filled::<f64, 2>();
     let undefined = points(&scene, BruteForce::new(scene.positions()).unwrap(), 0..POINTS)
         .into_iter()
         .filter(|(_, bits)| *bits == u64::MAX || *bits == f64::NAN.to_bits())
@@ -35,8 +35,14 @@ fn every_quantity_is_defined_at_most_points() {
     assert!(undefined < POINTS, "{undefined}");
 }
 
+fn filled<T: Scalar, const D: usize>() -> Scene<T, D> {
+    let mut scene = Scene::empty();
+    scene.fill().unwrap();
+    scene
+}
+
 fn by_both_searches<T: Scalar, const D: usize>() {
-    let scene = Scene::<T, D>::new().unwrap();
+    let scene = filled::<T, D>();
     in_two_threads("brute", &scene, BruteForce::new(scene.positions()).unwrap());
     let mut storage = grid_storage();
     in_two_threads("grid", &scene, storage.build(grid_layout().unwrap(), scene.positions()).unwrap());

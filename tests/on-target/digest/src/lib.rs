@@ -6,6 +6,7 @@
 
 #![no_std]
 
+mod erased;
 mod fnv;
 mod kernels;
 mod scene;
@@ -14,9 +15,10 @@ pub use fnv::Fnv;
 pub use scene::{POINTS, QUANTITIES, Scene};
 
 use core::fmt;
+use erased::{Erased, Search};
 use scene::SIDE_CELLS;
 use sph_core::scalar::fixed::{I8F24, I16F16, Saturating};
-use sph_core::{BruteForce, CellLayout, Error, InlineCellGrid, Neighbours, Scalar};
+use sph_core::{BruteForce, CellLayout, Error, InlineCellGrid, Scalar};
 
 /// One digest, and what of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -47,14 +49,6 @@ impl fmt::Display for Item {
 pub fn all(mut emit: impl FnMut(Item)) -> Result<(), Error> {
     items::<f32>(&mut emit)?;
     items::<f64>(&mut emit)?;
-    in_fixed_point(emit)
-}
-
-/// Every digest of the fixed-point scalars.
-///
-/// # Errors
-/// As [`items`].
-pub fn in_fixed_point(mut emit: impl FnMut(Item)) -> Result<(), Error> {
     items::<Saturating<I16F16>>(&mut emit)?;
     items::<Saturating<I8F24>>(emit)
 }
@@ -70,10 +64,11 @@ pub fn items<T: Scalar>(mut emit: impl FnMut(Item)) -> Result<(), Error> {
 
 fn in_dimensions<T: Scalar, const D: usize>(emit: &mut impl FnMut(Item)) -> Result<(), Error> {
     kernels::digest::<T, D>(emit)?;
-    let scene = Scene::<T, D>::new()?;
-    by_search("brute", &scene, BruteForce::new(scene.positions())?, emit)?;
+    let mut scene = Scene::<T, D>::empty();
+    scene.fill()?;
+    by_search("brute", &scene, &BruteForce::new(scene.positions())?, emit)?;
     let mut storage = grid_storage();
-    by_search("grid", &scene, storage.build(grid_layout()?, scene.positions())?, emit)
+    by_search("grid", &scene, &storage.build(grid_layout()?, scene.positions())?, emit)
 }
 
 /// Storage for the scene's cell grid.
@@ -92,12 +87,12 @@ pub fn grid_layout<T: Scalar, const D: usize>() -> Result<CellLayout<T, D>, Erro
 fn by_search<T: Scalar, const D: usize>(
     by: &'static str,
     scene: &Scene<T, D>,
-    search: impl Neighbours<T, D> + Copy,
+    search: &dyn Search<T, D>,
     emit: &mut impl FnMut(Item),
 ) -> Result<(), Error> {
     let mut digests = [Fnv::new(); QUANTITIES.len()];
     for point in 0..POINTS {
-        scene.at(search, point, |quantity, bits| digests[quantity].add(bits))?;
+        scene.at(Erased(search), point, |quantity, bits| digests[quantity].add(bits))?;
     }
     for (quantity, digest) in QUANTITIES.into_iter().zip(digests) {
         emit(Item { scalar: T::NAME, dim: D, by, quantity, digest: digest.get() });

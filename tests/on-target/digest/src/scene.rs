@@ -54,37 +54,45 @@ pub struct Scene<T, const D: usize> {
     density: [T; SAMPLES],
     volumes: [T; SAMPLES],
     values: [T; SAMPLES],
-    w: KernelInfluence<T, D, WendlandC2>,
 }
 
 impl<T: Scalar, const D: usize> Scene<T, D> {
-    /// The scene, with densities and volumes.
+    /// Zeros, to be [filled](Self::fill) where they are: a scene that is moved takes twice its room on a small stack.
+    pub const fn empty() -> Self {
+        Self {
+            positions: [[T::ZERO; D]; SAMPLES],
+            masses: [T::ZERO; SAMPLES],
+            radii: [T::ZERO; SAMPLES],
+            density: [T::ZERO; SAMPLES],
+            volumes: [T::ZERO; SAMPLES],
+            values: [T::ZERO; SAMPLES],
+        }
+    }
+
+    /// Makes the scene, with densities and volumes.
     ///
     /// # Errors
     /// Where the scalar's range is too small for it.
-    pub fn new() -> Result<Self, Error> {
+    pub fn fill(&mut self) -> Result<(), Error> {
         let mut random = Generator(D as u32);
         let side = if D == 2 { 8 } else { 4 };
         let unit_mass = if D == 2 { 9216 } else { 3456 }; // (3/8)^D
-        let positions = core::array::from_fn(|i| {
-            core::array::from_fn(|axis| {
+        for (i, position) in self.positions.iter_mut().enumerate() {
+            for (axis, coordinate) in position.iter_mut().enumerate() {
                 let place = i as i32 / i32::pow(side, axis as u32) % side;
-                T::ratio(384 * place + random.next(96) - 512, 1024)
-            })
-        });
-        let mut scene = Self {
-            positions,
-            masses: core::array::from_fn(|_| T::ratio(unit_mass + random.next(512), 65_536)),
-            radii: core::array::from_fn(|_| T::ratio(900 + random.next(90), 1024)),
-            density: [T::ZERO; SAMPLES],
-            volumes: [T::ZERO; SAMPLES],
-            values: core::array::from_fn(|_| T::ratio(random.next(2048), 1024)),
-            w: KernelInfluence::new(Self::support_radius())?,
-        };
-        let search = BruteForce::new(&scene.positions)?;
-        Sources::new(search, &scene.masses)?.density(&scene.w, &mut scene.density)?;
-        volumes(&scene.masses, &scene.density, &mut scene.volumes)?;
-        Ok(scene)
+                *coordinate = T::ratio(384 * place + random.next(96) - 512, 1024);
+            }
+        }
+        self.masses.fill_with(|| T::ratio(unit_mass + random.next(512), 65_536));
+        self.radii.fill_with(|| T::ratio(900 + random.next(90), 1024));
+        self.values.fill_with(|| T::ratio(random.next(2048), 1024));
+        Sources::new(BruteForce::new(&self.positions)?, &self.masses)?
+            .density(&Self::kernel()?, &mut self.density)?;
+        volumes(&self.masses, &self.density, &mut self.volumes)
+    }
+
+    fn kernel() -> Result<KernelInfluence<T, D, WendlandC2>, Error> {
+        KernelInfluence::new(Self::support_radius())
     }
 
     /// h = 15/16, which has no exact reciprocal.
@@ -107,7 +115,7 @@ impl<T: Scalar, const D: usize> Scene<T, D> {
     /// Computes every quantity at a point, or at the sample of that number, and gives the bits of each component.
     ///
     /// # Errors
-    /// None in any scalar that [`new`](Self::new) accepted.
+    /// None in any scalar that [`fill`](Self::fill) accepted.
     pub fn at(
         &self,
         search: impl Neighbours<T, D> + Copy,
@@ -126,9 +134,9 @@ impl<T: Scalar, const D: usize> Scene<T, D> {
         x: &[T; D],
         emit: &mut impl FnMut(usize, u64),
     ) -> Result<(), Error> {
-        let masses = Sources::new(search, &self.masses)?;
-        let (density, gradient) = masses.density_gradient_at(&self.w, x);
-        emit(0, masses.density_at(&self.w, x).canonical_bits());
+        let (masses, w) = (Sources::new(search, &self.masses)?, &Self::kernel()?);
+        let (density, gradient) = masses.density_gradient_at(w, x);
+        emit(0, masses.density_at(w, x).canonical_bits());
         emit(1, density.canonical_bits());
         each(1, &gradient, emit);
         let scatter = PerSampleInfluence::<T, D, CubicSpline>::new(&self.radii)?;
@@ -142,7 +150,7 @@ impl<T: Scalar, const D: usize> Scene<T, D> {
         x: &[T; D],
         emit: &mut impl FnMut(usize, u64),
     ) -> Result<(), Error> {
-        let (sources, w) = (Sources::new(search, &self.volumes)?, &self.w);
+        let (sources, w) = (Sources::new(search, &self.volumes)?, &Self::kernel()?);
         let field = Field::new(&sources, &self.values)?;
         emit(2, field.interpolate_at::<T>(w, x).canonical_bits());
         maybe(3, field.shepard_gradient_at(w, x).map(|(value, slope)| (Some(value), slope)), emit);
@@ -159,7 +167,7 @@ impl<T: Scalar, const D: usize> Scene<T, D> {
         i: usize,
         emit: &mut impl FnMut(usize, u64),
     ) -> Result<(), Error> {
-        let (sources, w) = (Sources::new(search, &self.volumes)?, &self.w);
+        let (sources, w) = (Sources::new(search, &self.volumes)?, &Self::kernel()?);
         let field = Field::new(&sources, &self.values)?;
         maybe(6, field.difference_gradient(w, i).map(|slope| (None, slope)), emit);
         maybe(7, field.symmetric_gradient(w, &self.density, i).map(|slope| (None, slope)), emit);
