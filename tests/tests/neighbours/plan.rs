@@ -1,4 +1,5 @@
-//! Configurations: how space is divided, where samples and queries lie. Coordinates are drawn where searches go wrong.
+//! Configurations: how space is divided, where samples and queries lie. Coordinates are drawn where searches go wrong,
+//! and are finite: searches refuse the others (`errors.rs`).
 
 use proptest::array::uniform;
 use proptest::collection::vec;
@@ -158,11 +159,12 @@ impl<T: Probe, const D: usize> Plan<T, D> {
             _ if n < 0 => lower,
             _ => self.upper[axis],
         };
-        match nudge {
+        let place = match nudge {
             -1 => place.down(),
             1 => place.up(),
             _ => place,
-        }
+        };
+        if place.is_finite() { place } else { lower }
     }
 
     /// A sample's position, brought into the periods by one of their lengths or else to the lower end.
