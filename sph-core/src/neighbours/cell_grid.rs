@@ -127,8 +127,9 @@ impl<T: Scalar, I: Index, const D: usize> Neighbours<T, D> for CellGrid<'_, T, I
         let x = self.layout.domain.wrap(x);
         let radius_squared = radius * radius;
         let mut ranges = [(0, 0); D];
-        for (axis, range) in ranges.iter_mut().enumerate() {
-            *range = self.layout.axes[axis].range(&self.layout.domain.axes()[axis], x[axis], radius);
+        let axes = self.layout.axes.iter().zip(self.layout.domain.axes());
+        for ((range, (cells, ends)), &coordinate) in ranges.iter_mut().zip(axes).zip(&x) {
+            *range = cells.range(ends, coordinate, radius);
         }
         let mut row = ranges.map(|(first, _)| first);
         loop {

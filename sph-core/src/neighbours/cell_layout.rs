@@ -82,7 +82,7 @@ impl<T: Scalar> CellAxis<T> {
             if is_inside(kind, end) {
                 return self.raw(end).max(0).min(count - 1);
             }
-            let images = image_reach(kind, radius).min(FARTHEST / count);
+            let images = image_reach(kind, radius).min((FARTHEST as u32 / self.count) as i32);
             let periods = (end - self.origin) / length;
             let k = if periods.is_finite() { periods.floor_to_i32() } else { side * images };
             let k = k.max(-images).min(images);
