@@ -3,36 +3,51 @@
 use core::hint::black_box;
 use sph_core::field::volumes;
 use sph_core::kernel::WendlandC2;
-use sph_core::{CellLayout, Error, Field, InlineCellGrid, KernelInfluence, Scalar, Sources, Uniform};
+use sph_core::{
+    BruteForce, CellLayout, Error, Field, InlineCellGrid, KernelInfluence, Neighbours, Scalar, Sources,
+    Uniform,
+};
 
 /// How many samples.
 pub const SAMPLES: usize = 128;
 
-/// The samples and their cells: all the RAM there is.
-pub struct Storage<T> {
+/// The samples and what is computed for them.
+pub struct Samples<T> {
     positions: [[T; 2]; SAMPLES],
     density: [T; SAMPLES],
+    volumes: [T; SAMPLES],
     values: [T; SAMPLES],
     gradient: [[T; 2]; SAMPLES],
+}
+
+/// Without a grid: all the RAM there is.
+pub type Brute<T> = Samples<T>;
+
+/// With a grid: all the RAM there is.
+pub struct Gridded<T> {
+    samples: Samples<T>,
     grid: InlineCellGrid<u8, 65, SAMPLES>,
 }
 
-impl<T: Scalar> Storage<T> {
+impl<T: Scalar> Samples<T> {
     /// Zeros.
+    #[expect(clippy::new_without_default, reason = "for a static alone")]
     pub const fn new() -> Self {
         Self {
             positions: [[T::ZERO; 2]; SAMPLES],
             density: [T::ZERO; SAMPLES],
+            volumes: [T::ZERO; SAMPLES],
             values: [T::ZERO; SAMPLES],
             gradient: [[T::ZERO; 2]; SAMPLES],
-            grid: InlineCellGrid::new(),
         }
     }
 }
 
-impl<T: Scalar> Default for Storage<T> {
-    fn default() -> Self {
-        Self::new()
+impl<T: Scalar> Gridded<T> {
+    /// Zeros.
+    #[expect(clippy::new_without_default, reason = "for a static alone")]
+    pub const fn new() -> Self {
+        Self { samples: Samples::new(), grid: InlineCellGrid::new() }
     }
 }
 
@@ -40,30 +55,49 @@ impl<T: Scalar> Default for Storage<T> {
 ///
 /// # Errors
 /// As the constructors of sph-core.
-pub fn density<T: Scalar>(storage: &mut Storage<T>) -> Result<(), Error> {
+pub fn density<T: Scalar>(storage: &mut Gridded<T>) -> Result<(), Error> {
+    let Gridded { samples: Samples { positions, density, .. }, grid } = storage;
     let w = KernelInfluence::<T, 2, WendlandC2>::new(black_box(T::ONE))?;
-    let layout = CellLayout::unbounded(T::ONE, [8, 8])?;
-    let search = storage.grid.build(layout, &storage.positions)?;
-    Sources::new(search, Uniform(black_box(T::ONE)))?.density(&w, &mut storage.density)
+    let search = grid.build(CellLayout::unbounded(T::ONE, [8, 8])?, positions)?;
+    Sources::new(search, Uniform(black_box(T::ONE)))?.density(&w, density)
 }
 
 /// ρ at every sample, then A and ∇A at each sample's position.
 ///
 /// # Errors
 /// As the constructors of sph-core.
-pub fn fields<T: Scalar>(storage: &mut Storage<T>) -> Result<(), Error> {
+pub fn fields<T: Scalar>(storage: &mut Gridded<T>) -> Result<(), Error> {
+    let Gridded { samples: Samples { positions, density, volumes, values, gradient }, grid } = storage;
+    let search = grid.build(CellLayout::unbounded(T::ONE, [8, 8])?, positions)?;
+    with(search, density, volumes, values, gradient)
+}
+
+/// The same without a grid.
+///
+/// # Errors
+/// As the constructors of sph-core.
+pub fn fields_brute<T: Scalar>(storage: &mut Brute<T>) -> Result<(), Error> {
+    let Samples { positions, density, volumes, values, gradient } = storage;
+    with(BruteForce::new(positions)?, density, volumes, values, gradient)
+}
+
+fn with<T: Scalar>(
+    search: impl Neighbours<T, 2> + Copy,
+    density: &mut [T],
+    volume: &mut [T; SAMPLES],
+    values: &mut [T; SAMPLES],
+    gradient: &mut [[T; 2]],
+) -> Result<(), Error> {
     let w = KernelInfluence::<T, 2, WendlandC2>::new(black_box(T::ONE))?;
-    let layout = CellLayout::unbounded(T::ONE, [8, 8])?;
-    let search = storage.grid.build(layout, &storage.positions)?;
     let mass = Uniform(black_box(T::ONE));
-    Sources::new(search, mass)?.density(&w, &mut storage.density)?;
-    let mut volume = [T::ZERO; SAMPLES];
-    volumes(mass, &storage.density, &mut volume)?;
-    let sources = Sources::new(search, &volume)?;
-    let field = Field::new(&sources, &storage.values)?;
-    for (out, x) in storage.gradient.iter_mut().zip(&storage.positions) {
-        let (value, gradient) = field.interpolate_with_gradient_at(&w, x);
-        *out = gradient.map(|component| component + black_box(value));
+    Sources::new(search, mass)?.density(&w, density)?;
+    volumes(mass, density, volume)?;
+    let sources = Sources::new(search, &*volume)?;
+    let field = Field::new(&sources, &*values)?;
+    for (slope, x) in gradient.iter_mut().zip(search.positions()) {
+        let value;
+        (value, *slope) = field.interpolate_with_gradient_at(&w, x);
+        black_box(value);
     }
     Ok(())
 }

@@ -1,12 +1,14 @@
 //! Builds the firmware for every target, runs it under QEMU and holds the outcome against what is committed.
 
 mod compile;
+mod counts;
 mod digests;
 mod elf;
 mod footprint;
 mod panics;
 mod qemu;
 mod suites;
+mod table;
 mod target;
 mod toolchain;
 
@@ -18,12 +20,13 @@ use toolchain::Toolchain;
 
 const USAGE: &str = "usage: tests/on-target/run [OPTION]
 
-Without an option, everything: the suites and the digests under QEMU, the search for panics, the footprint.
+Without an option, everything: the suites and the digests under QEMU, the search for panics, the footprint, the
+counts of instructions.
 
-  --only PART         one of: suites, self-check, digests, panics, footprint
+  --only PART         one of: suites, self-check, digests, panics, footprint, counts
   --self-check        the same as --only self-check
   --overflow-checks   what can panic when integer overflow is checked; judges nothing
-  --update            replaces the committed table of footprints
+  --update            replaces the committed tables of footprints and counts
   --update-golden     replaces the golden digests by those of this computer";
 
 /// What is to be done.
@@ -81,12 +84,13 @@ fn run(options: &Options) -> Result<bool> {
     if options.overflow_checks {
         return panics::with_overflow_checks().map(|()| true);
     }
-    let parts: [(&str, &dyn Fn() -> Result<bool>); 5] = [
+    let parts: [(&str, &dyn Fn() -> Result<bool>); 6] = [
         ("suites", &suites::check),
         ("self-check", &suites::self_check),
         ("digests", &digests::check),
         ("panics", &panics::check),
         ("footprint", &|| footprint::check(options.update)),
+        ("counts", &|| counts::check(options.update)),
     ];
     let chosen = |name: &str| options.only.as_deref().is_none_or(|only| only == name);
     if !parts.iter().any(|(name, _)| chosen(name)) {

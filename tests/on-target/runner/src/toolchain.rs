@@ -39,9 +39,13 @@ impl Toolchain {
 
     /// What it is, in a line.
     pub(crate) fn description(&self) -> String {
-        let version = output(&self.rustc, &["--version"]).unwrap_or_default();
         let how = if self.build_core { "core built from source" } else { "target installed" };
-        format!("{} ({how})", version.trim())
+        format!("{} ({how})", self.version())
+    }
+
+    /// The compiler's version, in a line.
+    pub(crate) fn version(&self) -> String {
+        output(&self.rustc, &["--version"]).unwrap_or_default().trim().to_owned()
     }
 
     /// A cargo command for the target.

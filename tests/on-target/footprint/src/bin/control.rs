@@ -2,9 +2,9 @@
 #![no_std]
 #![no_main]
 
-use fluisim_footprint::typical::Storage;
+use fluisim_footprint::typical::Gridded;
 
-fluisim_footprint::firmware!(Storage<f32>, |_: &mut Storage<f32>| {
+fluisim_footprint::firmware!(Gridded<f32>, |_: &mut Gridded<f32>| {
     let table = core::hint::black_box([1_u8, 2, 3]);
     table[core::hint::black_box(1_usize)]
 });

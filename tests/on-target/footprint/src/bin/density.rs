@@ -2,6 +2,6 @@
 #![no_std]
 #![no_main]
 
-use fluisim_footprint::typical::{self, Storage};
+use fluisim_footprint::typical::{self, Gridded};
 
-fluisim_footprint::firmware!(Storage<f32>, typical::density);
+fluisim_footprint::firmware!(Gridded<f32>, typical::density);

@@ -2,7 +2,7 @@
 #![no_std]
 #![no_main]
 
-use fluisim_footprint::typical::{self, Storage};
+use fluisim_footprint::typical::{self, Gridded};
 use sph_core::scalar::fixed::{I16F16, Saturating};
 
-fluisim_footprint::firmware!(Storage<Saturating<I16F16>>, typical::fields);
+fluisim_footprint::firmware!(Gridded<Saturating<I16F16>>, typical::fields);
