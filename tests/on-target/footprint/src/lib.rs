@@ -2,7 +2,6 @@
 
 #![no_std]
 
-pub mod exercise;
 pub mod typical;
 
 #[cfg(target_os = "none")]

@@ -19,7 +19,7 @@ use sph_core::{
 const SAMPLES: usize = 8;
 
 /// Where the inputs come from; zeros to begin with, which the compiler is not told.
-pub struct Inputs {
+pub(crate) struct Inputs {
     numbers: [f64; SAMPLES],
     integers: [u32; 4],
 }
@@ -31,12 +31,12 @@ fn keep<V>(value: V) {
 
 impl Inputs {
     /// Zeros.
-    pub const fn new() -> Self {
+    pub(crate) const fn new() -> Self {
         Self { numbers: [0.0; SAMPLES], integers: [0; 4] }
     }
 
     /// Everything in two dimensions in every scalar, and in one and three in f32.
-    pub fn run(&mut self) {
+    pub(crate) fn run(&mut self) {
         self.without_scalar();
         self.in_scalar::<f32>();
         self.in_dimensions::<f32, 1>();
@@ -229,12 +229,6 @@ impl Inputs {
         keep((v.interpolate_at::<[T; D]>(w, &x), v.shepard_at::<[T; D]>(w, &x), v.laplacian::<[T; D]>(w, i)));
         keep(v.jacobian::<D>(w, i).map(|jacobian| field::divergence(&jacobian)));
         Ok(())
-    }
-}
-
-impl Default for Inputs {
-    fn default() -> Self {
-        Self::new()
     }
 }
 

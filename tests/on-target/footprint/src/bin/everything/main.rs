@@ -2,6 +2,8 @@
 #![no_std]
 #![no_main]
 
-use fluisim_footprint::exercise::Inputs;
+mod exercise;
+
+use exercise::Inputs;
 
 fluisim_footprint::firmware!(Inputs, |inputs: &mut Inputs| inputs.run());
