@@ -124,13 +124,8 @@ impl<T: Scalar, I: Index, const D: usize> Neighbours<T, D> for CellGrid<'_, T, I
         if !radius.is_above_zero() || D == 0 {
             return;
         }
-        let x = self.layout.domain.wrap(x);
         let radius_squared = radius * radius;
-        let mut ranges = [(0, 0); D];
-        let axes = self.layout.axes.iter().zip(self.layout.domain.axes());
-        for ((range, (cells, ends)), &coordinate) in ranges.iter_mut().zip(axes).zip(&x) {
-            *range = cells.range(ends, coordinate, radius);
-        }
+        let (x, ranges) = self.layout.in_reach(x, radius);
         let mut row = ranges.map(|(first, _)| first);
         loop {
             self.visit_row(&row, ranges[0].1, &x, radius_squared, &mut visit);

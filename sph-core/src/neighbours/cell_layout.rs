@@ -215,6 +215,19 @@ impl<T: Scalar, const D: usize> CellLayout<T, D> {
         self.axes.iter().fold(1, |product: usize, axis| product.wrapping_mul(axis.count.get() as usize))
     }
 
+    /// The point as it lies in the domain, and the first and last cell number in reach of it along each axis.
+    ///
+    /// Not a part of a query's loop, so all queries share one copy of its code.
+    pub(super) fn in_reach(&self, x: &[T; D], radius: T) -> ([T; D], [(i32, i32); D]) {
+        let x = self.domain.wrap(x);
+        let mut ranges = [(0, 0); D];
+        let along = self.axes.iter().zip(self.domain.axes()).zip(&x);
+        for (range, ((axis, kind), &coordinate)) in ranges.iter_mut().zip(along) {
+            *range = axis.range(kind, coordinate, radius);
+        }
+        (x, ranges)
+    }
+
     /// The number of the cell that a sample at x belongs to.
     #[inline(always)]
     pub(super) fn cell_of(&self, x: &[T; D]) -> usize {

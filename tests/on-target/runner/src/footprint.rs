@@ -6,7 +6,7 @@ use crate::table;
 use crate::target::{M0, M4F, RV32, TARGETS, Target};
 use anyhow::{Context, Result, ensure};
 
-const USES: [&str; 4] = ["density", "fields", "fields_brute", "fixed"];
+const USES: [&str; 5] = ["density", "fields", "fields_brute", "fixed", "fixed_brute"];
 
 /// Measures and compares with the table, or replaces it; true when no row has grown.
 pub(crate) fn check(update: bool) -> Result<bool> {
@@ -33,7 +33,8 @@ fn measure(target: &Target, profile: &str) -> Result<Vec<String>> {
     for name in USES {
         let elf = read(name)?;
         ensure!(elf.ram - empty.ram == elf.promised, "{name}: RAM is not what size_of says");
-        if name == "fixed" {
+        ensure!(elf.panics().is_empty(), "{} {profile}: {name} can panic: {:?}", target.triple, elf.panics());
+        if name.starts_with("fixed") {
             ensure!(elf.soft_float().is_empty(), "fixed point needs {:?}", elf.soft_float());
         }
         rows.push(format!("{},{profile},{name},{},{}", target.triple, elf.promised, elf.flash - empty.flash));
