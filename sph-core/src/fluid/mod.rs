@@ -15,5 +15,5 @@ pub mod wcsph;
 
 pub use container::{Container, Disc, Mask, OpenBox, Shape, Wall};
 pub use eos::EquationOfState;
-pub use pbf::{Particle, PositionBasedFluid, Rejected, Settings};
+pub use pbf::{BorrowedFluid, Particle, PositionBasedFluid, Rejected, Settings};
 pub use raster::Raster;

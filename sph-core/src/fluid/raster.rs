@@ -15,9 +15,11 @@ use crate::scalar::compact::Compact;
 /// ```
 /// use sph_core::fluid::{Particle, Raster};
 /// let mut lamps = Raster::<4, 3>::new();
-/// let drop = [[1.25, 0.5], [1.75, 0.5], [1.25, 1.0], [1.75, 1.0]].map(|x| Particle::new(x, [0.0_f32; 2]));
-/// lamps.update(&drop, 1.0);
-/// assert!(lamps.is_lit(1, 0) && !lamps.is_lit(3, 2));
+/// /// // a puddle two spacings deep that covers the left half of the floor
+/// let place = |k: usize| [0.25 + 0.5 * (k % 4) as f32, 0.25 + 0.5 * (k / 4) as f32];
+/// let puddle: [_; 8] = core::array::from_fn(|k| Particle::new(place(k), [0.0; 2]));
+/// lamps.update(&puddle, 1.0);
+/// assert!(lamps.is_lit(0, 0) && !lamps.is_lit(3, 0) && !lamps.is_lit(0, 1));
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]

@@ -6,19 +6,18 @@
 use super::Index;
 use crate::{Error, Parameter};
 
-/// Where each cell's particles start and end, for at most `CELLS` cells in at most three dimensions.
-#[derive(Clone, Debug)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct CellOrder<I, const D: usize, const CELLS: usize> {
-    counts: [u8; D],
-    starts: [I; CELLS],
-    ends: [I; CELLS],
+/// Where each cell's particles start and end, in borrowed memory, in at most three dimensions.
+#[derive(Debug)]
+pub struct CellOrder<'a, I, const D: usize> {
+    counts: [usize; D],
+    starts: &'a mut [I],
+    ends: &'a mut [I],
 }
 
 /// Runs ahead of a particle in three dimensions: the rest of its row and the next, and three rows of the next layer.
 const MOST_RUNS: usize = 5;
 
-impl<I: Index, const D: usize, const CELLS: usize> CellOrder<I, D, CELLS> {
+impl<'a, I: Index, const D: usize> CellOrder<'a, I, D> {
     const RUNS: usize = match D {
         1 => 1,
         2 => 2,
@@ -26,27 +25,18 @@ impl<I: Index, const D: usize, const CELLS: usize> CellOrder<I, D, CELLS> {
         _ => panic!("one, two or three dimensions"),
     };
 
-    /// No cells yet; see [`divide`](Self::divide).
-    pub const fn new() -> Self {
-        Self { counts: [0; D], starts: [I::ZERO; CELLS], ends: [I::ZERO; CELLS] }
-    }
-
-    /// Makes it `counts` cells along the axes, to be sorted into anew.
+    /// `counts` cells along the axes, of which nothing is known before [`sort`](Self::sort); an element of either slice for each.
     ///
     /// # Errors
-    /// [`Error::CapacityExceeded`] for more than `CELLS` cells or for more than 255 along an axis.
-    pub fn divide(&mut self, counts: [usize; D]) -> Result<(), Error> {
+    /// [`Error::CapacityExceeded`] where a slice is shorter than there are cells.
+    #[inline(always)]
+    pub fn new(counts: [usize; D], starts: &'a mut [I], ends: &'a mut [I]) -> Result<Self, Error> {
         let needed = counts.iter().fold(1_usize, |product, &count| product.saturating_mul(count));
-        let longest = counts.iter().fold(0, |longest, &count| count.max(longest));
-        let parameter = Parameter::Cells;
-        if needed > CELLS {
-            return Err(Error::CapacityExceeded { parameter, capacity: CELLS, needed });
-        }
-        if longest > usize::from(u8::MAX) {
-            return Err(Error::CapacityExceeded { parameter, capacity: u8::MAX.into(), needed: longest });
-        }
-        self.counts = counts.map(|count| count as u8);
-        Ok(())
+        let capacity = starts.len().min(ends.len());
+        let full = Error::CapacityExceeded { parameter: Parameter::Cells, capacity, needed };
+        let starts = starts.get_mut(..needed).ok_or(full)?;
+        let ends = ends.get_mut(..needed).ok_or(full)?;
+        Ok(Self { counts, starts, ends })
     }
 
     /// The number of the cell with these coordinates, each held in range.
@@ -54,14 +44,14 @@ impl<I: Index, const D: usize, const CELLS: usize> CellOrder<I, D, CELLS> {
     pub fn cell_of(&self, coordinates: [i32; D]) -> usize {
         let mut cell = 0_usize;
         for axis in (0..D).rev() {
-            let count = usize::from(self.counts[axis]);
+            let count = self.counts[axis];
             let along = (coordinates[axis].max(0) as usize).min(count.saturating_sub(1));
             cell = cell.wrapping_mul(count).wrapping_add(along);
         }
         cell
     }
 
-    /// Sorts the particles in place by counting; `cell_of` gives a cell's number, below `CELLS`.
+    /// Sorts the particles in place by counting; `cell_of` gives the number of a cell that there is.
     ///
     /// The new order follows from the old one alone. Each particle is moved at most once, behind a swap at most twice.
     #[inline(always)]
@@ -74,13 +64,13 @@ impl<I: Index, const D: usize, const CELLS: usize> CellOrder<I, D, CELLS> {
             }
         }
         let mut total = 0_usize;
-        for (start, end) in self.starts.iter_mut().zip(&mut self.ends) {
+        for (start, end) in self.starts.iter_mut().zip(self.ends.iter_mut()) {
             *start = I::from_usize(total);
             total = total.wrapping_add(end.to_usize());
             *end = *start;
         }
         // Cell by cell: what lies at the next place of its own cell stays, anything else goes to the next place of its.
-        for cell in 0..CELLS {
+        for cell in 0..self.ends.len() {
             let full = self.starts.get(cell.wrapping_add(1)).map_or(total, |start| start.to_usize());
             while let Some(here) = self.ends.get(cell).map(|end| end.to_usize()).filter(|&here| here < full) {
                 let Some(particle) = particles.get(here) else { return };
@@ -160,7 +150,7 @@ impl<I: Index, const D: usize, const CELLS: usize> CellOrder<I, D, CELLS> {
     #[inline(always)]
     fn each<P>(&self, particles: &mut [P], mut visit: impl FnMut(&mut P, &mut [P], &mut [&mut [P]])) {
         let mut at = [0_usize; D];
-        for cell in 0..CELLS {
+        for cell in 0..self.ends.len() {
             let (start, end) = self.run(cell, cell);
             if start < end {
                 let runs = self.ahead(&at, cell);
@@ -191,7 +181,7 @@ impl<I: Index, const D: usize, const CELLS: usize> CellOrder<I, D, CELLS> {
     /// The runs in reach that lie ahead of the cell with these coordinates and this number.
     #[inline(always)]
     fn ahead(&self, at: &[usize; D], cell: usize) -> [(usize, usize); MOST_RUNS] {
-        let right = usize::from(at[0].wrapping_add(1) < usize::from(self.counts[0]));
+        let right = usize::from(at[0].wrapping_add(1) < self.counts[0]);
         let left = usize::from(at[0] > 0);
         let row = |offset: usize| {
             let middle = cell.wrapping_add(offset);
@@ -200,13 +190,13 @@ impl<I: Index, const D: usize, const CELLS: usize> CellOrder<I, D, CELLS> {
         let mut runs = [(0, 0); MOST_RUNS];
         runs[0] = self.run(cell, cell.wrapping_add(right));
         if D > 1 {
-            let width = usize::from(self.counts[0]);
-            let above = at[1].wrapping_add(1) < usize::from(self.counts[1]);
+            let width = self.counts[0];
+            let above = at[1].wrapping_add(1) < self.counts[1];
             if above {
                 runs[1] = row(width);
             }
-            if D > 2 && at[2].wrapping_add(1) < usize::from(self.counts[2]) {
-                let layer = width.wrapping_mul(self.counts[1].into());
+            if D > 2 && at[2].wrapping_add(1) < self.counts[2] {
+                let layer = width.wrapping_mul(self.counts[1]);
                 if at[1] > 0 {
                     runs[2] = row(layer.wrapping_sub(width));
                 }
@@ -233,7 +223,7 @@ impl<I: Index, const D: usize, const CELLS: usize> CellOrder<I, D, CELLS> {
     fn advance(&self, at: &mut [usize; D]) -> bool {
         for axis in 0..D {
             at[axis] = at[axis].wrapping_add(1);
-            if at[axis] < usize::from(self.counts[axis]) {
+            if at[axis] < self.counts[axis] {
                 return true;
             }
             at[axis] = 0;
@@ -251,20 +241,14 @@ fn take<'a, P>(rest: &mut &'a mut [P], count: usize) -> &'a mut [P] {
     first
 }
 
-impl<I: Index, const D: usize, const CELLS: usize> Default for CellOrder<I, D, CELLS> {
-    fn default() -> Self {
-        Self::new()
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     /// Sorts points given as cells, then counts every pair of points in cells that touch.
     fn check<const D: usize, const CELLS: usize>(counts: [usize; D], points: usize) {
-        let mut order = CellOrder::<u16, D, CELLS>::new();
-        order.divide(counts).unwrap();
+        let (mut starts, mut ends) = ([9_u16; CELLS], [9; CELLS]);
+        let mut order = CellOrder::new(counts, &mut starts, &mut ends).unwrap();
         let mut state = 12345_u32;
         let mut random = |n: usize| {
             state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
@@ -275,7 +259,8 @@ mod tests {
             *particle = (core::array::from_fn(|axis| random(counts[axis]) as i32), id, 0);
         }
         let particles = &mut particles[..points];
-        let numbers = order.clone();
+        let (mut starts, mut ends) = ([0_u16; CELLS], [0; CELLS]);
+        let numbers = CellOrder::new(counts, &mut starts, &mut ends).unwrap();
         order.sort(particles, |p| numbers.cell_of(p.0));
         assert!(particles.is_sorted_by_key(|p| order.cell_of(p.0)));
         assert_eq!(particles.iter().map(|p| p.1).sum::<usize>(), points * points.saturating_sub(1) / 2);
@@ -309,17 +294,13 @@ mod tests {
 
     #[test]
     fn too_many_cells_are_an_error() {
-        let mut order = CellOrder::<u8, 2, 500>::new();
+        let (mut starts, mut ends) = ([0_u8; 500], [0; 499]);
         let parameter = Parameter::Cells;
-        assert_eq!(
-            order.divide([30, 20]),
-            Err(Error::CapacityExceeded { parameter, capacity: 500, needed: 600 })
-        );
-        assert_eq!(
-            order.divide([256, 1]),
-            Err(Error::CapacityExceeded { parameter, capacity: 255, needed: 256 })
-        );
-        assert_eq!(order.divide([25, 20]), Ok(()));
-        assert_eq!(order.cell_of([-7, 90]), 19 * 25);
+        let error = Error::CapacityExceeded { parameter, capacity: 499, needed: 600 };
+        assert_eq!(CellOrder::new([30, 20], &mut starts, &mut ends).unwrap_err(), error);
+        assert!(CellOrder::new([25, 20], &mut starts, &mut ends).is_err());
+        assert!(CellOrder::new([usize::MAX, 3], &mut starts, &mut ends).is_err());
+        let order = CellOrder::new([24, 20], &mut starts, &mut ends).unwrap();
+        assert_eq!(order.cell_of([-7, 90]), 19 * 24);
     }
 }

@@ -25,13 +25,15 @@
 //! *Predictive-corrective incompressible SPH*, ACM Trans. Graph. 28 (2009) 40 (the constant denominator); J. J. Monaghan,
 //! J. Comput. Phys. 82 (1989) 1 (XSPH).
 
+mod borrowed;
 mod particle;
 mod step;
 
 use crate::fluid::Container;
-use crate::neighbours::{CellOrder, Index};
+use crate::neighbours::Index;
 use crate::scalar::compact::{Compact, Near};
 use crate::{Arithmetic, Error, Parameter, check};
+pub use borrowed::{BorrowedFluid, Pass};
 pub use particle::Particle;
 
 /// The largest velocity along an axis, a fraction of h a frame.
@@ -91,7 +93,8 @@ impl Default for Settings {
 #[derive(Clone, Debug)]
 pub struct PositionBasedFluid<T: Compact, C, const D: usize, const CAP: usize, const CELLS: usize, I = u16> {
     container: C,
-    order: CellOrder<I, D, CELLS>,
+    starts: [I; CELLS],
+    ends: [I; CELLS],
     particles: [Particle<T, D>; CAP],
     len: I,
     settings: Settings,
@@ -132,7 +135,7 @@ impl<T: Compact, C, I: Index, const D: usize, const CAP: usize, const CELLS: usi
     pub const fn with_settings(container: C, settings: Settings) -> Self {
         const { assert!(D == 2 || D == 3, "two or three dimensions") };
         let particles = [Particle::AT_ORIGIN; CAP];
-        Self { container, order: CellOrder::new(), particles, len: I::ZERO, settings }
+        Self { container, starts: [I::ZERO; CELLS], ends: [I::ZERO; CELLS], particles, len: I::ZERO, settings }
     }
 
     /// How it behaves, to be changed at any time.
@@ -197,6 +200,24 @@ impl<T: Compact, C, I: Index, const D: usize, const CAP: usize, const CELLS: usi
 impl<T: Compact, C: Container<T, D>, I: Index, const D: usize, const CAP: usize, const CELLS: usize>
     PositionBasedFluid<T, C, D, CAP, CELLS, I>
 {
+    /// Moves the fluid by one frame under an acceleration in h a frame², one number an axis.
+    ///
+    /// Any number will do: each is held at ±[`STEEPEST`], and NaN counts as 0.
+    pub fn step(&mut self, acceleration: [T; D]) {
+        if let Ok(mut fluid) = self.borrowed() {
+            fluid.step(acceleration);
+        }
+    }
+
+    /// Its memory lent to the solver, for [`BorrowedFluid::step_observed`].
+    ///
+    /// # Errors
+    /// [`Error::CapacityExceeded`] where the container has more than `CELLS` cells; the fluid is then empty.
+    pub fn borrowed(&mut self) -> Result<BorrowedFluid<'_, T, C, D, I>, Error> {
+        let particles = self.particles.get_mut(..self.len.to_usize()).unwrap_or_default();
+        BorrowedFluid::trusted(&self.container, self.settings, particles, (&mut self.starts, &mut self.ends))
+    }
+
     /// Adds a particle.
     ///
     /// # Errors
@@ -207,24 +228,31 @@ impl<T: Compact, C: Container<T, D>, I: Index, const D: usize, const CAP: usize,
     }
 
     fn place(&mut self, particle: Particle<T, D>) -> Result<(), Error> {
-        let size = self.container.size();
-        self.order.divide(size.map(|length| length.floor_to_i32().max(0) as usize + 1))?;
+        self.borrowed()?;
         let index = self.len();
-        for (axis, &coordinate) in particle.position.iter().enumerate() {
-            check::finite(coordinate, Parameter::Position, index)?;
-            if !(coordinate >= T::ZERO && coordinate <= size[axis]) {
-                return Err(Error::OutsideDomain { index, axis });
-            }
-        }
-        if !self.container.contains(&particle.position) {
-            return Err(Error::OutsideDomain { index, axis: 0 });
-        }
+        check_inside(&self.container, &particle, index)?;
         let capacity = Self::CAPACITY;
         let full = Error::CapacityExceeded { parameter: Parameter::Particles, capacity, needed: index + 1 };
         *self.particles.get_mut(..capacity).and_then(|room| room.get_mut(index)).ok_or(full)? = particle;
         self.len = I::from_usize(index + 1);
         Ok(())
     }
+}
+
+/// Whether the particle may be in the container.
+fn check_inside<T: Compact, C: Container<T, D>, const D: usize>(
+    container: &C,
+    particle: &Particle<T, D>,
+    index: usize,
+) -> Result<(), Error> {
+    let size = container.size();
+    for (axis, &coordinate) in particle.position.iter().enumerate() {
+        check::finite(coordinate, Parameter::Position, index)?;
+        if !(coordinate >= T::ZERO && coordinate <= size[axis]) {
+            return Err(Error::OutsideDomain { index, axis });
+        }
+    }
+    if container.contains(&particle.position) { Ok(()) } else { Err(Error::OutsideDomain { index, axis: 0 }) }
 }
 
 /// A literal.

@@ -30,10 +30,15 @@ impl<T: Compact, const D: usize> Particle<T, D> {
         reach: 0,
     };
 
-    /// A particle at `position` with `velocity`, which is held at ±[`FASTEST`](super::FASTEST).
+    /// A particle at `position` with `velocity`, which is held at ±1.
     pub fn new(position: [T; D], velocity: [T; D]) -> Self {
-        let velocity = velocity.map(|v| super::near_held(v, super::FASTEST).store());
+        let velocity = velocity.map(|v| super::near_held(v, (1, 1)).store());
         Self { position, velocity, ..Self::AT_ORIGIN }
+    }
+
+    /// With the pressure that its last frame ended with: position, velocity and pressure are all that a frame hands on.
+    pub fn with_pressure(self, pressure: T) -> Self {
+        Self { pressure: super::near_held(pressure, (1, 1)).store(), ..self }
     }
 
     /// Where it is, in units of h.

@@ -1,6 +1,6 @@
 //! One frame: predict, sort by cell, then a density sweep and a correcting sweep for each iteration.
 
-use super::{FASTEST, Particle, PositionBasedFluid, STEEPEST, near_held, ratio};
+use super::{BorrowedFluid, FASTEST, Particle, STEEPEST, near_held, ratio};
 use crate::Arithmetic;
 use crate::fluid::Container;
 use crate::kernel::Poly6;
@@ -25,29 +25,11 @@ fn closeness<T: Compact, const D: usize>(
     (offset, t)
 }
 
-impl<T: Compact, C: Container<T, D>, I: Index, const D: usize, const CAP: usize, const CELLS: usize>
-    PositionBasedFluid<T, C, D, CAP, CELLS, I>
-{
-    /// Moves the fluid by one frame under an acceleration in h a frame², one number an axis.
-    ///
-    /// Any number will do: each is held at ±1/8, and NaN counts as 0.
-    pub fn step(&mut self, acceleration: [T; D]) {
-        self.predict(acceleration.map(|a| near_held(a, STEEPEST)));
-        self.sort();
-        for iteration in 0..self.settings.iterations.max(1) {
-            if iteration == 0 {
-                self.search()
-            } else {
-                self.density()
-            }
-            self.correct();
-        }
-    }
-
-    fn predict(&mut self, acceleration: [T::Near; D]) {
+impl<T: Compact, C: Container<T, D>, I: Index, const D: usize> BorrowedFluid<'_, T, C, D, I> {
+    pub(super) fn predict(&mut self, acceleration: [T; D]) {
+        let acceleration = acceleration.map(|a| near_held(a, STEEPEST));
         let fastest = ratio(FASTEST);
-        let len = self.len();
-        for (i, p) in self.particles.iter_mut().take(len).enumerate() {
+        for (i, p) in self.particles.iter_mut().enumerate() {
             let to = core::array::from_fn(|axis| {
                 let velocity = T::Near::load(p.velocity[axis]) + acceleration[axis];
                 p.position[axis] + T::from_near(velocity.held(fastest))
@@ -59,20 +41,16 @@ impl<T: Compact, C: Container<T, D>, I: Index, const D: usize, const CAP: usize,
         }
     }
 
-    fn sort(&mut self) {
-        let len = self.len();
-        let particles = self.particles.get_mut(..len).unwrap_or_default();
-        self.order.sort(particles, |p| p.reach as usize);
+    pub(super) fn sort(&mut self) {
+        self.order.sort(self.particles, |p| p.reach as usize);
     }
 
     /// Density, XSPH viscosity, and which pairs are in reach.
-    fn search(&mut self) {
-        let len = self.len();
-        let particles = self.particles.get_mut(..len).unwrap_or_default();
-        let (container, settings) = (&self.container, self.settings);
+    pub(super) fn search(&mut self) {
+        let (container, settings) = (self.container, self.settings);
         let viscosity = T::Near::ratio(1, 256).times(settings.viscosity.min(128).into());
         self.order.sweep(
-            particles,
+            self.particles,
             |p| Search { weight: T::Near::load_weight(p.load), drag: p.push.map(T::Near::load) },
             |this, sums, other| {
                 let (_, t) = closeness(this, other);
@@ -98,12 +76,10 @@ impl<T: Compact, C: Container<T, D>, I: Index, const D: usize, const CAP: usize,
         );
     }
 
-    fn density(&mut self) {
-        let len = self.len();
-        let particles = self.particles.get_mut(..len).unwrap_or_default();
-        let (container, settings) = (&self.container, self.settings);
+    pub(super) fn density(&mut self) {
+        let (container, settings) = (self.container, self.settings);
         self.order.revisit(
-            particles,
+            self.particles,
             |p| (T::Near::load_weight(p.load), p.reach),
             |this, sum, other| {
                 let (_, t) = closeness(this, other);
@@ -117,15 +93,13 @@ impl<T: Compact, C: Container<T, D>, I: Index, const D: usize, const CAP: usize,
         );
     }
 
-    fn correct(&mut self) {
-        let len = self.len();
-        let particles = self.particles.get_mut(..len).unwrap_or_default();
-        let container = &self.container;
+    pub(super) fn correct(&mut self) {
+        let container = self.container;
         let limit = T::Near::ratio(1, 4);
         let core = T::Near::ratio(21, 25);
         let mut i = 0_usize;
         self.order.revisit(
-            particles,
+            self.particles,
             |p| (p.push.map(T::Near::load), p.reach),
             |this, sum, other| {
                 let (mut offset, t) = closeness(this, other);
