@@ -92,8 +92,7 @@ pub(super) fn run(args: RunArgs) -> Result<(), Failure> {
         threads: args.threads,
     };
     let summary = run::run(&options, &progress(args.quiet))?;
-    let text = format!("{}\nresults in {}\n", summary.table(), options.out.display());
-    to_stdout(std::io::stdout().write_all(text.as_bytes()))?;
+    to_stdout(std::io::stdout().write_all(summary.table().as_bytes()))?;
     if summary.escaped > 0 {
         return Err(Failure::input(format!("{} particles escaped", summary.escaped)));
     }

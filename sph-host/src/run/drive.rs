@@ -1,5 +1,7 @@
 //! One case from beginning to end: steps, rows, frames.
 
+use std::time::Instant;
+
 use indicatif::ProgressBar;
 
 use super::case::Case;
@@ -25,6 +27,8 @@ pub(super) struct Drive<'a, const D: usize> {
     every: f64,
     /// Frames so far, the one at the start included.
     pub(super) frames: u64,
+    /// Seconds that steps took, without what is measured and written.
+    pub(super) stepping: f64,
 }
 
 impl<'a, const D: usize> Drive<'a, D> {
@@ -39,31 +43,52 @@ impl<'a, const D: usize> Drive<'a, D> {
         let simulation: Box<dyn Simulate<D>> = match scalar {
             ScalarName::F64 => Box::new(Simulation::<f64, D>::new(&setup, kernel).map_err(refused)?),
             ScalarName::F32 => Box::new(Simulation::<f32, D>::new(&setup, kernel).map_err(refused)?),
-            _ => return Err(Failure::usage("--solver wcsph: --scalar must be f64 or f32")),
+            other => {
+                let message =
+                    format!("--scalar {}: --solver wcsph computes in f64 or f32", super::word(&other));
+                return Err(Failure::usage(message));
+            }
         };
         let meter = Meter::new(&setup, case.inside()).map_err(refused)?;
         let columns = COLUMNS.iter().chain(case.columns()).chain(&LAST_COLUMNS).copied();
         let series = Series::new(columns);
-        Ok(Self { case, setup, meter, simulation, series, every, frames: 0 })
+        Ok(Self { case, setup, meter, simulation, series, every, frames: 0, stepping: 0.0 })
     }
 
-    /// How many frames a duration has, the one at the start included.
+    /// How many frames a duration has, the one at the start included, and one at the end where it ends between two.
     pub(super) fn frames_in(&self, duration: f64) -> u64 {
-        (duration / self.every * (1.0 + 1e-12)).floor() as u64 + 1
+        (duration / self.every * (1.0 - 1e-12)).ceil() as u64 + 1
     }
 
-    /// On to the next frame: rows on the way, forces anew at the end, as a resumed run has them. The first frame is the start.
-    pub(super) fn next_frame(&mut self, progress: &ProgressBar) -> Result<Snapshot<D>, Failure> {
+    /// The time of a frame that is not the last.
+    fn time_of(&self, frame: f64) -> f64 {
+        self.every * frame
+    }
+
+    /// Whether the newest frame is where every run with these options has one, however long it is.
+    pub(super) fn is_whole(&self) -> bool {
+        let last = self.series.rows.last().map_or(0.0, |row| row[0]);
+        last == self.time_of(self.frames.saturating_sub(1) as f64)
+    }
+
+    /// On to the next frame: rows on the way, forces anew at the end, as a resumed run has them. The first frame is the start,
+    /// and none is later than `end`.
+    pub(super) fn next_frame(&mut self, end: f64, progress: &ProgressBar) -> Result<Snapshot<D>, Failure> {
         if self.frames == 0 {
             self.frames = 1;
             return self.row();
         }
-        let row = |k: u64| self.every * k as f64 / ROWS_A_FRAME as f64;
-        let first = (self.frames - 1) * ROWS_A_FRAME;
-        let times: Vec<f64> = (1..=ROWS_A_FRAME).map(|k| row(first + k)).collect();
+        let rows = (1..=ROWS_A_FRAME).map(|k| k as f64 / ROWS_A_FRAME as f64);
+        let mut times: Vec<f64> = rows.map(|part| self.time_of((self.frames - 1) as f64 + part)).collect();
+        if times.last().is_some_and(|&last| last > end * (1.0 + 1e-12)) {
+            times.retain(|&time| time < end * (1.0 - 1e-12));
+            times.push(end);
+        }
         let mut snapshot = None;
         for time in times {
+            let start = Instant::now();
             self.simulation.advance(time).map_err(|error| self.lost(error))?;
+            self.stepping += start.elapsed().as_secs_f64();
             snapshot = Some(self.row()?);
             progress.inc(1);
         }
@@ -78,12 +103,14 @@ impl<'a, const D: usize> Drive<'a, D> {
         snapshot: &Snapshot<D>,
         steps: u64,
         frames: u64,
+        stepping: f64,
         rows: Vec<Vec<f64>>,
     ) -> Result<(), Failure> {
         self.simulation.restore(snapshot, steps);
         self.simulation.prepare().map_err(refused)?;
         self.series.rows = rows;
         self.frames = frames;
+        self.stepping = stepping;
         Ok(())
     }
 

@@ -9,6 +9,7 @@ use std::time::Duration;
 
 use serde_json::{Value, json};
 
+use super::case::PLOTS;
 use super::drive::{Drive, ROWS_A_FRAME};
 use super::frame;
 use super::simulation::Snapshot;
@@ -22,6 +23,8 @@ use crate::scalar_choice::ScalarName;
 const CHECKPOINT: &str = "checkpoint.json";
 const SERIES: &str = "series.csv";
 const SUMMARY: &str = "summary.json";
+const COLLECTION: &str = "frames.pvd";
+const ANIMATION: &str = "animation.gif";
 
 /// How long a picture of the animation stays.
 const DELAY: Duration = Duration::from_millis(60);
@@ -63,9 +66,8 @@ impl Folder {
             let path = entry.map_err(|error| failed(&self.path, &error))?.path();
             let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
             let is_frame = name.starts_with("frame_") && (name.ends_with(".vtu") || name.ends_with(".png"));
-            if is_frame
-                || [CHECKPOINT, SERIES, SUMMARY, "frames.pvd", "animation.gif"].contains(&name.as_str())
-            {
+            let others = [CHECKPOINT, SERIES, SUMMARY, COLLECTION, ANIMATION];
+            if is_frame || others.iter().chain(&PLOTS).any(|other| *other == name) {
                 files.push(path);
             }
         }
@@ -109,6 +111,7 @@ impl Folder {
             checkpoint[name].as_u64().ok_or_else(missing)
         };
         let (frames, steps) = (number("frames")?, number("steps")?);
+        let stepping = checkpoint["stepping_s"].as_f64().unwrap_or(0.0);
         if frames == 0 {
             return Ok(None);
         }
@@ -122,7 +125,7 @@ impl Folder {
             let message = format!("{}: {found} particles, expected {expected}", path.display());
             return Err(Failure::input(message));
         }
-        drive.resume(&snapshot, steps, frames, rows)?;
+        drive.resume(&snapshot, steps, frames, stepping, rows)?;
         Ok(Some(snapshot))
     }
 
@@ -161,23 +164,37 @@ impl Folder {
         self.write_png(&image, self.frame(number, "png"))?;
         self.write_series(drive)?;
         self.write_collection(drive)?;
-        let checkpoint =
-            json!({"run": self.run, "frames": drive.frames, "steps": drive.steps(), "wall_s": wall_seconds});
+        if !drive.is_whole() {
+            return Ok(());
+        }
+        let checkpoint = json!({
+            "run": self.run,
+            "frames": drive.frames,
+            "steps": drive.steps(),
+            "wall_s": wall_seconds,
+            "stepping_s": drive.stepping,
+        });
         self.write_json(CHECKPOINT, &checkpoint)
     }
 
-    /// Writes what is known only at the end: the plot, the animation, the summary.
+    /// Writes what is known only at the end: the plot, the animation, the summary. Gives what there is to look at.
     pub(super) fn finish<const D: usize>(
         &self,
         drive: &Drive<D>,
         last: &Snapshot<D>,
         summary: &Summary,
-    ) -> Result<(), Failure> {
+    ) -> Result<Vec<(&'static str, PathBuf)>, Failure> {
         let (name, plots) = drive.case.plots(&drive.series, last);
         let image = plot::draw(&self.caption(last), &plots).map_err(drawing)?;
         self.write_png(&image, self.path.join(name))?;
         self.write_animation(drive.frames)?;
-        self.write_json(SUMMARY, &summary.json)
+        self.write_json(SUMMARY, &summary.json)?;
+        Ok(vec![
+            ("picture", self.frame(drive.frames - 1, "png")),
+            ("animation", self.path.join(ANIMATION)),
+            ("plot", self.path.join(name)),
+            ("for ParaView", self.path.join(COLLECTION)),
+        ])
     }
 
     fn caption<const D: usize>(&self, last: &Snapshot<D>) -> String {
@@ -220,8 +237,11 @@ impl Folder {
 
     /// The frames and their times, for ParaView.
     fn write_collection<const D: usize>(&self, drive: &Drive<D>) -> Result<(), Failure> {
-        let times = drive.series.rows.iter().step_by(ROWS_A_FRAME as usize).map(|row| row[0]);
-        let target = self.target(self.path.join("frames.pvd"));
+        let rows = &drive.series.rows;
+        let last = rows.last().filter(|_| !drive.is_whole());
+        let whole = drive.frames as usize - usize::from(last.is_some());
+        let times = rows.iter().step_by(ROWS_A_FRAME as usize).take(whole).chain(last).map(|row| row[0]);
+        let target = self.target(self.path.join(COLLECTION));
         Ok(target.create(|file| {
             writeln!(
                 file,
@@ -237,7 +257,7 @@ impl Folder {
     /// All pictures as one.
     fn write_animation(&self, frames: u64) -> Result<(), Failure> {
         let first = self.read_png(0)?;
-        let target = self.target(self.path.join("animation.gif"));
+        let target = self.target(self.path.join(ANIMATION));
         Ok(target.create(|file| {
             let mut animation = Animation::begin(file, first.width, first.height, DELAY)?;
             animation.push(&first)?;

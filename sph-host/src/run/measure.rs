@@ -27,7 +27,7 @@ pub(super) struct Meter<const D: usize> {
     /// Σ m v and Σ m x × v at the start.
     momentum: [f64; D],
     spin: [f64; 3],
-    /// Σ m |v| and Σ m |x| |v| at the start.
+    /// Σ m |v| and Σ m |x| |v| at the start; where these are zero, they are taken now.
     scale: f64,
     spin_scale: f64,
     inside: [(f64, f64); D],
@@ -39,9 +39,7 @@ impl<const D: usize> Meter<D> {
         let mass = setup.mass();
         let momentum = momentum(mass, &setup.velocities);
         let spin = spin(mass, &setup.positions, &setup.velocities);
-        let speeds = setup.velocities.iter().map(|v| norm_squared(v).sqrt());
-        let moments = setup.velocities.iter().zip(&setup.positions);
-        let spin_scale = moments.map(|(v, x)| mass * (norm_squared(v) * norm_squared(x)).sqrt()).sum();
+        let [scale, spin_scale] = scales(mass, &setup.positions, &setup.velocities);
         Ok(Self {
             mass,
             spacing: setup.spacing,
@@ -51,7 +49,7 @@ impl<const D: usize> Meter<D> {
             layout: super::simulation::layout(setup, 2.0 * setup.spacing).ok(),
             momentum,
             spin,
-            scale: speeds.map(|speed| mass * speed).sum(),
+            scale,
             spin_scale,
             inside,
         })
@@ -79,11 +77,14 @@ impl<const D: usize> Meter<D> {
         let change = |now: &[f64], then: &[f64]| {
             now.iter().zip(then).map(|(now, then)| (now - then).powi(2)).sum::<f64>().sqrt()
         };
-        let relative = |change: f64, scale: f64| if scale > 0.0 { change / scale } else { change };
+        let [scale, spin_scale] = scales(self.mass, &now.positions, &now.velocities);
+        let relative = |change: f64, scales: [f64; 2]| {
+            scales.iter().find(|&&scale| scale > 0.0).map_or(change, |scale| change / scale)
+        };
         [
             compression,
-            relative(change(&momentum, &self.momentum), self.scale),
-            relative(change(&spin, &self.spin), self.spin_scale),
+            relative(change(&momentum, &self.momentum), [self.scale, scale]),
+            relative(change(&spin, &self.spin), [self.spin_scale, spin_scale]),
             self.outside(now) as f64,
         ]
     }
@@ -119,6 +120,17 @@ impl<const D: usize> Meter<D> {
         let least = now.positions.par_iter().enumerate().map(least_at).reduce(|| reach * reach, f64::min);
         least.sqrt() / self.spacing
     }
+}
+
+/// Σ m |v| and Σ m |x| |v|
+fn scales<const D: usize>(mass: f64, positions: &[[f64; D]], velocities: &[[f64; D]]) -> [f64; 2] {
+    let mut sums = [0.0; 2];
+    for (x, v) in positions.iter().zip(velocities) {
+        let momentum = mass * norm_squared(v).sqrt();
+        sums[0] += momentum;
+        sums[1] += momentum * norm_squared(x).sqrt();
+    }
+    sums
 }
 
 /// Σ m v

@@ -122,6 +122,9 @@ const RESOLUTIONS: std::ops::RangeInclusive<u32> = 8..=2000;
 /// Frames unless said otherwise, after the first.
 const FRAMES: f64 = 50.0;
 
+/// Frames of a run at most.
+const MOST_FRAMES: f64 = 1e5;
+
 /// Simulates a case into its directory. `progress` counts rows of the series.
 ///
 /// # Errors
@@ -132,6 +135,9 @@ pub fn run(options: &Options, progress: &ProgressBar) -> Result<Summary, Failure
     if !RESOLUTIONS.contains(&resolution) {
         let (least, most) = (RESOLUTIONS.start(), RESOLUTIONS.end());
         return Err(Failure::usage(format!("--resolution {resolution}: expected {least} to {most}")));
+    }
+    if options.kernel.is_singular() {
+        return Err(Failure::usage(format!("--kernel {}: it diverges at r = 0", options.kernel.name())));
     }
     if options.dim == 3 && options.case != CaseName::DamBreak {
         return Err(Failure::usage(format!("--dim 3: {} has two dimensions", options.case.name())));
@@ -172,6 +178,11 @@ fn simulate<const D: usize>(
     if every > duration {
         return Err(Failure::usage(format!("--every {every}: longer than the {duration} s simulated")));
     }
+    if duration / every > MOST_FRAMES {
+        return Err(Failure::usage(format!(
+            "--every {every}: more than {MOST_FRAMES} frames in the {duration} s simulated"
+        )));
+    }
     let particulars = json!({
         "case": options.case.name(),
         "solver": word(&options.solver),
@@ -191,14 +202,14 @@ fn simulate<const D: usize>(
     progress.set_position(drive.frames.saturating_sub(1) * ROWS_A_FRAME);
     progress.reset_eta();
     while drive.frames < frames {
-        let snapshot = drive.next_frame(progress)?;
+        let snapshot = drive.next_frame(duration, progress)?;
         folder.add_frame(&drive, &snapshot, options.scalar, before + start.elapsed().as_secs_f64())?;
         last = Some(snapshot);
     }
     progress.finish_and_clear();
     let last = last.ok_or_else(|| Failure::input("nothing was simulated"))?;
     let wall = before + start.elapsed().as_secs_f64();
-    let summary = Summary::new(&drive, &last, particulars, wall);
-    folder.finish(&drive, &last, &summary)?;
+    let mut summary = Summary::new(&drive, &last, particulars, wall);
+    summary.files = folder.finish(&drive, &last, &summary)?;
     Ok(summary)
 }

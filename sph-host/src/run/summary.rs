@@ -2,6 +2,8 @@
 
 use std::fmt::Write;
 
+use std::path::PathBuf;
+
 use serde_json::{Map, Value, json};
 
 use super::drive::Drive;
@@ -17,6 +19,8 @@ pub struct Summary {
     pub checks: Vec<Check>,
     /// Particles that are, or were, beyond the walls.
     pub escaped: usize,
+    /// What there is to look at: what it is, and where.
+    pub files: Vec<(&'static str, PathBuf)>,
 }
 
 impl Summary {
@@ -42,7 +46,11 @@ impl Summary {
             "simulated_s": last.time,
             "wall_s": wall_seconds,
             "particle_steps_per_s": work / wall_seconds.max(1e-9),
-            "mass_drift": -escaped / particles as f64,
+            "stepping_s": drive.stepping,
+            "us_per_particle_step": 1e6 * drive.stepping / work.max(1.0),
+            "mean_dt_s": last.time / (drive.steps() as f64).max(1.0),
+            "stepping_s_per_simulated_s": drive.stepping / last.time.max(f64::MIN_POSITIVE),
+            "mass_drift": if escaped > 0.0 { -escaped / particles as f64 } else { 0.0 },
             "momentum_drift": drive.series.last("momentum_error"),
             "energy_drift": (final_energy - first) / scale,
             "checks": checks.iter().map(check_json).collect::<Vec<_>>(),
@@ -53,7 +61,7 @@ impl Summary {
                 json.extend(part);
             }
         }
-        Self { json: Value::Object(json), checks, escaped: most as usize }
+        Self { json: Value::Object(json), checks, escaped: most as usize, files: Vec::new() }
     }
 
     /// The run in a few lines, and a line for each check.
@@ -72,6 +80,8 @@ impl Summary {
             ("simulated / s", "simulated_s"),
             ("wall time / s", "wall_s"),
             ("particle-steps / s", "particle_steps_per_s"),
+            ("µs / particle-step", "us_per_particle_step"),
+            ("mean time step / s", "mean_dt_s"),
             ("mass drift", "mass_drift"),
             ("momentum drift", "momentum_drift"),
             ("energy drift", "energy_drift"),
@@ -84,6 +94,10 @@ impl Summary {
             let verdict = if check.holds() { "holds" } else { "FALLS SHORT" };
             let (value, goal) = (number(check.value), number(check.goal));
             let _ = writeln!(text, "{:<wide$}  {value:>10}  {goal:>8}  {verdict}", check.name);
+        }
+        let _ = writeln!(text);
+        for (what, path) in &self.files {
+            let _ = writeln!(text, "{what:<20}{}", path.display());
         }
         text
     }

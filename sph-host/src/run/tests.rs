@@ -26,9 +26,9 @@ fn options(case: CaseName, resolution: u32, out: &Path) -> Options {
 fn checks<const D: usize>(case: &dyn Case<D>, scalar: ScalarName, duration: f64) -> Vec<(String, f64)> {
     let mut drive = Drive::new(case, scalar, KernelName::WendlandC2, duration / 10.0).unwrap();
     let progress = ProgressBar::hidden();
-    let mut last = drive.next_frame(&progress).unwrap();
+    let mut last = drive.next_frame(duration, &progress).unwrap();
     while drive.frames < drive.frames_in(duration) {
-        last = drive.next_frame(&progress).unwrap();
+        last = drive.next_frame(duration, &progress).unwrap();
     }
     drive.checks(&last).into_iter().map(|check| (check.name, check.value)).collect()
 }
@@ -40,7 +40,7 @@ fn between(found: &(String, f64), least: f64, most: f64) {
 
 #[test]
 fn a_dam_breaks_as_computed_by_others() {
-    let found = checks::<2>(&case::DamBreak { resolution: 12 }, ScalarName::F64, 0.26);
+    let found = checks::<2>(&case::DamBreak { resolution: 12 }, ScalarName::F64, 0.28);
     between(&found[0], 0.005, 0.06);
     between(&found[1], 0.06, 0.13);
     between(&found[3], 0.0, 0.0);

@@ -15,6 +15,8 @@ use crate::run::setup::{Setup, State, cells, centre, walls};
 use crate::run::simulation::Snapshot;
 
 /// a of Koshizuka and Oka's experiment.
+/// The file of the plot.
+pub(super) const PLOT: &str = "front.png";
 const WIDTH: f64 = 0.146;
 const GRAVITY: f64 = 9.81;
 /// The tank's height over a; it has a roof.
@@ -158,7 +160,7 @@ impl<const D: usize> Case<D> for DamBreak {
             x_range: Some([0.0, 4.0]),
             y_range: Some([1.0, 4.2]),
         };
-        ("front.png", vec![vec![plot]])
+        (PLOT, vec![vec![plot]])
     }
 
     fn view(&self) -> View {

@@ -13,6 +13,8 @@ use crate::run::series::{Check, Series};
 use crate::run::setup::{Setup, State, cells, centre, jittered};
 use crate::run::simulation::Snapshot;
 
+/// The file of the plot.
+pub(super) const PLOT: &str = "semi_axes.png";
 const RADIUS: f64 = 1.0;
 const RATE: f64 = 100.0;
 const DENSITY: f64 = 1000.0;
@@ -152,7 +154,7 @@ impl Case<2> for Drop {
             ],
             ..Plot::default()
         };
-        ("semi_axes.png", vec![vec![plot]])
+        (PLOT, vec![vec![plot]])
     }
 
     fn view(&self) -> View {

@@ -6,6 +6,8 @@ use crate::run::series::{Check, Series};
 use crate::run::setup::{Setup, State, cells, centre, walls};
 use crate::run::simulation::Snapshot;
 
+/// The file of the plot.
+pub(super) const PLOT: &str = "pressure.png";
 const GRAVITY: f64 = 9.81;
 const DENSITY: f64 = 1000.0;
 /// H; the tank is as wide.
@@ -111,7 +113,7 @@ impl Case<2> for Hydrostatic {
             }],
             ..Plot::default()
         };
-        ("pressure.png", vec![vec![profile, kinetic]])
+        (PLOT, vec![vec![profile, kinetic]])
     }
 
     fn view(&self) -> View {

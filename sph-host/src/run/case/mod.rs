@@ -19,6 +19,10 @@ use super::setup::Setup;
 use super::simulation::Snapshot;
 use crate::picture::plot::Plot;
 
+/// The files of all plots.
+pub(super) const PLOTS: [&str; 5] =
+    [dam_break::PLOT, drop::PLOT, hydrostatic::PLOT, poiseuille::PLOT, taylor_green::PLOT];
+
 /// What pictures show.
 pub(super) struct View {
     /// The box, across and up.

@@ -15,6 +15,8 @@ use crate::run::series::{Check, Series};
 use crate::run::setup::{Setup, State, cells, centre, walls};
 use crate::run::simulation::Snapshot;
 
+/// The file of the plot.
+pub(super) const PLOT: &str = "profile.png";
 const WIDTH: f64 = 1e-3;
 const VISCOSITY: f64 = 1e-6;
 const FORCE: f64 = 1e-4;
@@ -128,7 +130,7 @@ impl Case<2> for Poiseuille {
             }],
             ..Plot::default()
         };
-        ("profile.png", vec![vec![profile, error]])
+        (PLOT, vec![vec![profile, error]])
     }
 
     fn view(&self) -> View {

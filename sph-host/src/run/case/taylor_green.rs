@@ -10,6 +10,8 @@ use crate::run::series::{Check, Series};
 use crate::run::setup::{Setup, State, cells, centre, jittered};
 use crate::run::simulation::Snapshot;
 
+/// The file of the plot.
+pub(super) const PLOT: &str = "decay.png";
 const REYNOLDS: f64 = 100.0;
 
 /// The Taylor-Green vortices.
@@ -98,7 +100,7 @@ impl Case<2> for TaylorGreen {
             ],
             ..Plot::default()
         };
-        ("decay.png", vec![vec![plot]])
+        (PLOT, vec![vec![plot]])
     }
 
     fn view(&self) -> View {
