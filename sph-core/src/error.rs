@@ -33,6 +33,12 @@ pub enum Parameter {
     Entries,
     /// The kernel's normalisation σ_D h^{-D}.
     Normalisation,
+    /// The particles of a fluid.
+    Particles,
+    /// Velocities v_i.
+    Velocity,
+    /// c₀, the speed of sound of an equation of state.
+    SoundSpeed,
 }
 
 impl Parameter {
@@ -50,6 +56,9 @@ impl Parameter {
             Self::Cells => "cells",
             Self::Entries => "entries",
             Self::Normalisation => "normalisation",
+            Self::Particles => "particles",
+            Self::Velocity => "velocity",
+            Self::SoundSpeed => "sound speed",
         }
     }
 }

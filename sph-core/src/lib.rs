@@ -9,8 +9,9 @@
 //! 4. [`neighbours`]: which samples a sum has to look at, by brute force or in cells, in open or periodic space.
 //! 5. [`samples`] and [`field`]: density, interpolation, gradients and what follows from them (Def. 3.1, Thms 3.2, 3.3).
 //! 6. [`difference`]: the n-th central difference of any function (Thm 4.1).
+//! 7. [`fluid`]: solvers that move particles, their containers, and how to show them.
 //!
-//! Data flows one way: samples, neighbours, influence, field. Every number type of [`scalar`] goes through the same source.
+//! Data flows one way: samples, neighbours, influence, field, step. Every number type of [`scalar`] goes through the same source.
 //!
 //! # What can be relied on
 //!
@@ -26,7 +27,8 @@
 //!
 //! # Features
 //!
-//! `fixed`: fixed-point scalars. `micromath`: `Fast32`. `defmt`: `defmt::Format` for the public types. All are additive.
+//! `fixed`: fixed-point scalars. `micromath`: `Fast32`. `defmt`: `defmt::Format` for the public types. `embedded-graphics`: drawing a
+//! fluid's raster. All are additive.
 
 #![no_std]
 #![forbid(unsafe_code)]
@@ -36,6 +38,7 @@ mod check;
 pub mod difference;
 pub mod error;
 pub mod field;
+pub mod fluid;
 pub mod influence;
 pub mod kernel;
 pub mod neighbours;
@@ -48,8 +51,8 @@ pub use error::{Error, Parameter};
 pub use field::Field;
 pub use influence::{ClosureInfluence, Influence, InfluenceOf, KernelInfluence, PerSampleInfluence};
 pub use neighbours::{
-    Axis, BruteForce, CellGrid, CellLayout, Domain, Index, InlineCellGrid, Neighbour, NeighbourList,
-    Neighbours,
+    Axis, BruteForce, CellGrid, CellLayout, CellOrder, Domain, Index, InlineCellGrid, Neighbour,
+    NeighbourList, Neighbours,
 };
 pub use samples::{PerSample, Sources, Uniform};
 pub use scalar::{Accumulator, Arithmetic, Scalar};

@@ -10,6 +10,7 @@ pub mod io;
 pub mod kernel_choice;
 pub mod output;
 pub mod picture;
+pub mod run;
 pub mod sample;
 pub mod scalar_choice;
 

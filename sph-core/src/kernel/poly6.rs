@@ -19,6 +19,14 @@ use crate::{Arithmetic, Scalar};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Poly6;
 
+impl Poly6 {
+    /// f in terms of t = 1 − q², which a sum over pairs has at hand: t₊³.
+    #[inline(always)]
+    pub fn of_complement<T: Arithmetic>(t: T) -> T {
+        t.positive_part().pow::<3>()
+    }
+}
+
 impl Kernel for Poly6 {
     const TERMS: &'static [Term] = &[
         Term::new(1.0, 1.0, 3, 0),
@@ -30,7 +38,7 @@ impl Kernel for Poly6 {
 
     #[inline(always)]
     fn profile<T: Arithmetic>(q: T) -> T {
-        (T::ONE - q * q).positive_part().pow::<3>()
+        Self::of_complement(T::ONE - q * q)
     }
 
     #[inline(always)]
@@ -40,7 +48,7 @@ impl Kernel for Poly6 {
 
     #[inline(always)]
     fn profile_of_square<T: Scalar, const D: usize>(s: T) -> T {
-        (T::ONE - s).positive_part().pow::<3>()
+        Self::of_complement(T::ONE - s)
     }
 
     #[inline(always)]

@@ -210,6 +210,11 @@ impl<T: Scalar, const D: usize> CellLayout<T, D> {
         }
     }
 
+    /// How space ends along each axis.
+    pub const fn domain(&self) -> &Domain<T, D> {
+        &self.domain
+    }
+
     /// The number of cells in all.
     pub fn cells(&self) -> usize {
         self.axes.iter().fold(1, |product: usize, axis| product.wrapping_mul(axis.count.get() as usize))

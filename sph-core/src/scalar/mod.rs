@@ -15,6 +15,7 @@
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
+pub mod compact;
 #[cfg(feature = "micromath")]
 pub mod fast;
 #[cfg(feature = "fixed")]

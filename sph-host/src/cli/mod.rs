@@ -2,6 +2,7 @@
 
 mod kernels;
 mod parse;
+mod run;
 mod sample;
 
 use std::io::Write;
@@ -30,6 +31,7 @@ struct Cli {
 
 #[derive(Debug, Subcommand)]
 enum Command {
+    Run(run::RunArgs),
     Sample(Box<sample::SampleArgs>),
     Kernels(kernels::KernelsArgs),
 }
@@ -46,6 +48,7 @@ pub fn main() -> ExitCode {
         }
     };
     let done = prepare().and_then(|()| match cli.command {
+        Command::Run(args) => run::run(args),
         Command::Sample(args) => sample::run(*args),
         Command::Kernels(args) => kernels::run(&args),
     });

@@ -43,6 +43,10 @@ pub trait Word: Copy + Ord + super::Sealed + 'static {
     fn from_i64(n: i64) -> Self::Wide;
     /// As an f64, rounded to nearest where 53 bits do not hold it.
     fn to_f64(self) -> f64;
+    /// The low bits of self − other as a count of 2^−`to` where it was one of 2^−`from`; bits that fall off are lost.
+    fn near_difference(self, other: Self, from: u32, to: u32) -> i32;
+    /// A count of 2^−`to` as one of 2^−`from`.
+    fn from_near(near: i32, from: u32, to: u32) -> Self::Wide;
     /// The word's own bits, zeros above.
     fn bits(self) -> u64;
 }
@@ -143,6 +147,25 @@ macro_rules! word {
             #[inline(always)]
             fn to_f64(self) -> f64 {
                 self as f64
+            }
+
+            #[inline(always)]
+            fn near_difference(self, other: Self, from: u32, to: u32) -> i32 {
+                let difference = self.wrapping_sub(other);
+                if from < to {
+                    (difference as i32).wrapping_shl(to.wrapping_sub(from))
+                } else {
+                    difference.wrapping_shr(from.wrapping_sub(to)) as i32
+                }
+            }
+
+            #[inline(always)]
+            fn from_near(near: i32, from: u32, to: u32) -> $Wide {
+                if from < to {
+                    near.wrapping_shr(to.wrapping_sub(from)).into()
+                } else {
+                    <$Wide>::from(near).wrapping_shl(from.wrapping_sub(to))
+                }
             }
 
             #[inline(always)]

@@ -1,0 +1,67 @@
+//! A disc, in three dimensions a ball.
+
+use super::{Container, Wall, hold};
+use crate::Arithmetic;
+use crate::scalar::compact::{Compact, Near};
+use crate::vector::{norm_squared, scale};
+
+/// A disc (in three dimensions a ball) of `radius` 1 or more around (radius, radius, …), in units of h.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Disc<T> {
+    radius: T,
+}
+
+impl<T> Disc<T> {
+    /// The disc in the box from 0 to 2 `radius`.
+    pub const fn new(radius: T) -> Self {
+        Self { radius }
+    }
+}
+
+impl<T: Compact> Disc<T> {
+    /// x from the centre in units of the radius, and its square: in the range of every scalar.
+    #[inline(always)]
+    fn relative<const D: usize>(&self, x: &[T; D]) -> ([T; D], T) {
+        let u = x.map(|coordinate| (coordinate - self.radius) / self.radius);
+        (u, norm_squared(&u))
+    }
+}
+
+impl<T: Compact, const D: usize> Container<T, D> for Disc<T> {
+    fn size(&self) -> [T; D] {
+        [self.radius + self.radius; D]
+    }
+
+    fn contains(&self, x: &[T; D]) -> bool {
+        self.relative(x).1 <= T::ONE
+    }
+
+    fn wall(&self, x: &[T; D]) -> Wall<T::Near, D> {
+        let (u, square) = self.relative(x);
+        let inner = T::ONE - T::ONE / self.radius;
+        if square < inner * inner {
+            return Wall::NONE;
+        }
+        let length = square.sqrt();
+        let d = ((T::ONE - length) * self.radius).max(T::ZERO);
+        let normal = u.map(|along| (-along / length).offset(T::ZERO));
+        if length > T::ZERO && d < T::ONE {
+            Wall::plane(d.offset(T::ZERO), normal.map(|n| n.held(T::Near::ONE)))
+        } else {
+            Wall::NONE
+        }
+    }
+
+    fn confine(&self, from: &[T; D], to: [T; D], gap: T) -> [T; D] {
+        let edge = self.radius + self.radius;
+        let to = to.map(|coordinate| hold(coordinate, edge, T::ZERO));
+        let (u, square) = self.relative(&to);
+        if square <= T::ONE {
+            return to;
+        }
+        let back = scale(&u, (self.radius - gap) / square.sqrt());
+        let to = back.map(|along| along + self.radius);
+        if self.contains(&to) { to } else { *from }
+    }
+}

@@ -1,0 +1,84 @@
+//! What holds a fluid of particles: walls that press, though they are made of nothing.
+//!
+//! A wall is treated as more fluid at rest behind it. Near one, a particle's kernel reaches into it by a known share, so its
+//! density is right without a single wall particle; and the wall pushes as that fluid would under the same pressure. See
+//! [`half_space`]. Lengths are in units of the support radius h, and a container lies in the box from 0 to
+//! [`size`](Container::size).
+//!
+//! | container | what |
+//! |---|---|
+//! | [`OpenBox`] | a box; corners are exact products of their walls |
+//! | [`Disc`] | a disc, in three dimensions a ball |
+//! | [`Shape`] | any signed distance |
+//! | [`Mask`] | a bitmap, obstacles and all |
+
+mod disc;
+pub mod half_space;
+mod mask;
+mod open_box;
+mod shape;
+
+pub use disc::Disc;
+pub use mask::Mask;
+pub use open_box::OpenBox;
+pub use shape::Shape;
+
+use crate::scalar::compact::{Compact, Near};
+
+/// What the walls do at one place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Wall<N, const D: usize> {
+    /// The share of the kernel's integral that lies in walls, in [0, 1].
+    pub share: N,
+    /// The push under unit pressure, away from the walls: Σ f u over the particles that the walls stand for.
+    pub push: [N; D],
+}
+
+impl<N: Near, const D: usize> Wall<N, D> {
+    /// Far from every wall.
+    pub const NONE: Self = Self { share: N::ZERO, push: [N::ZERO; D] };
+
+    /// One plane wall at distance d along the unit `normal` that points into the fluid.
+    #[inline(always)]
+    pub fn plane(d: N, normal: [N; D]) -> Self {
+        if d < N::ONE {
+            let d = d.positive_part();
+            let push = half_space::push::<N, D>(d);
+            Self { share: half_space::share::<N, D>(d), push: normal.map(|along| along.evenly(push)) }
+        } else {
+            Self::NONE
+        }
+    }
+}
+
+/// A container for particles: which places are inside, and what its walls do.
+///
+/// Your own needs all four methods; [`Shape`] makes one from a signed distance. The fluid trusts `confine`: what it returns
+/// must be inside, whatever it is given, NaN included.
+pub trait Container<T: Compact, const D: usize> {
+    /// The upper corner of the box from 0 that the container lies in.
+    fn size(&self) -> [T; D];
+
+    /// Whether a particle may be at x.
+    fn contains(&self, x: &[T; D]) -> bool;
+
+    /// What the walls do at x.
+    fn wall(&self, x: &[T; D]) -> Wall<T::Near, D>;
+
+    /// `to` where a particle can come from `from`, which is inside, in one step; else a place inside near to it, about `gap`
+    /// away from the wall that was in the way.
+    fn confine(&self, from: &[T; D], to: [T; D], gap: T) -> [T; D];
+}
+
+/// x held between `gap` and `upper − gap`, and `gap` for NaN.
+#[inline(always)]
+fn hold<T: Compact>(x: T, upper: T, gap: T) -> T {
+    let highest = upper - gap;
+    if x > highest {
+        highest
+    } else if x > gap {
+        x
+    } else {
+        gap
+    }
+}

@@ -1,0 +1,72 @@
+//! A box.
+
+use super::{Container, Wall, half_space, hold};
+use crate::Arithmetic;
+use crate::scalar::compact::Compact;
+
+/// A box from 0 to `size`, in units of h, closed on all sides.
+///
+/// In corners the walls' shares combine as those of a product: 1 − Π (1 − χ_lower − χ_upper).
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct OpenBox<T, const D: usize> {
+    size: [T; D],
+}
+
+impl<T, const D: usize> OpenBox<T, D> {
+    /// The box from 0 to `size`; lengths of 1/4 or more.
+    pub const fn new(size: [T; D]) -> Self {
+        Self { size }
+    }
+}
+
+impl<T: Compact, const D: usize> Container<T, D> for OpenBox<T, D> {
+    fn size(&self) -> [T; D] {
+        self.size
+    }
+
+    fn contains(&self, x: &[T; D]) -> bool {
+        (0..D).all(|axis| x[axis] >= T::ZERO && x[axis] <= self.size[axis])
+    }
+
+    #[inline(always)]
+    fn wall(&self, x: &[T; D]) -> Wall<T::Near, D> {
+        let mut open = [T::Near::ONE; D];
+        let mut push = [T::Near::ZERO; D];
+        let mut near = false;
+        for axis in 0..D {
+            let (lower, upper) = (x[axis].offset(T::ZERO), self.size[axis].offset(x[axis]));
+            if lower < T::Near::ONE {
+                open[axis] -= half_space::share::<T::Near, D>(lower);
+                push[axis] += half_space::push::<T::Near, D>(lower);
+                near = true;
+            }
+            if upper < T::Near::ONE {
+                open[axis] -= half_space::share::<T::Near, D>(upper);
+                push[axis] -= half_space::push::<T::Near, D>(upper);
+                near = true;
+            }
+        }
+        if near { product(open, push) } else { Wall::NONE }
+    }
+
+    #[inline(always)]
+    fn confine(&self, _from: &[T; D], to: [T; D], gap: T) -> [T; D] {
+        core::array::from_fn(|axis| hold(to[axis], self.size[axis], gap))
+    }
+}
+
+/// The walls across each axis together, of which each takes a share of what the others leave `open`.
+#[inline(always)]
+fn product<N: crate::scalar::compact::Near, const D: usize>(open: [N; D], mut push: [N; D]) -> Wall<N, D> {
+    let mut all = N::ONE;
+    for axis in 0..D {
+        all = all * open[axis];
+        for other in 0..D {
+            if other != axis {
+                push[other] = push[other].evenly(open[axis]);
+            }
+        }
+    }
+    Wall { share: N::ONE - all, push }
+}

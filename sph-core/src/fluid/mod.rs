@@ -1,0 +1,19 @@
+//! Fluids that move: what a solver adds to kernels, searches and fields.
+//!
+//! | | for | walls |
+//! |---|---|---|
+//! | [`PositionBasedFluid`] | pendants, badges, displays: one step a frame, never unstable, bounded work | a [`Container`] |
+//! | [`wcsph`] | computations that stand against experiment | wall particles |
+//!
+//! [`raster`] shows the fluid on a grid of lamps or pixels.
+
+pub mod container;
+pub mod eos;
+pub mod pbf;
+pub mod raster;
+pub mod wcsph;
+
+pub use container::{Container, Disc, Mask, OpenBox, Shape, Wall};
+pub use eos::EquationOfState;
+pub use pbf::{BorrowedFluid, Particle, PositionBasedFluid, Rejected, Settings};
+pub use raster::Raster;

@@ -1,0 +1,195 @@
+use super::*;
+use crate::field::{self, Field};
+use crate::kernel::WendlandC2;
+use crate::vector::dot;
+use crate::{BruteForce, KernelInfluence, Sources, Uniform};
+
+const N: usize = 49;
+
+type W<T> = KernelInfluence<T, 2, WendlandC2>;
+
+/// A 7 × 7 lattice of spacing 0.1, moved about.
+fn cloud<T: Scalar>() -> [[T; 2]; N] {
+    core::array::from_fn(|i| {
+        let (x, y) = ((i % 7) as f64, (i / 7) as f64);
+        let wobble = |k: f64| 0.02 * libm::sin(k * (i as f64 + 1.0));
+        [T::from_f64(0.1 * x + wobble(12.9)), T::from_f64(0.1 * y + wobble(78.2))]
+    })
+}
+
+fn velocities<T: Scalar>() -> [[T; 2]; N] {
+    core::array::from_fn(|i| [0.7, 1.9].map(|k| T::from_f64(libm::sin(k * i as f64))))
+}
+
+fn scheme<T: Scalar>() -> Scheme<T, 2, W<T>> {
+    let number = T::from_f64;
+    Scheme {
+        liquid: Liquid {
+            equation_of_state: EquationOfState::tait(T::ONE, number(10.0)).unwrap(),
+            gravity: [T::ZERO; 2],
+            artificial_viscosity: T::ZERO,
+            kinematic_viscosity: T::ZERO,
+            density_diffusion: T::ZERO,
+            shift_speed: T::ZERO,
+        },
+        influence: KernelInfluence::new(number(0.27)).unwrap(),
+        layout: CellLayout::bounded(&[T::ZERO; 2], &[number(0.6); 2], [3, 3]).unwrap(),
+        mass: number(0.01),
+    }
+}
+
+fn near(found: f64, expected: f64) {
+    assert!((found - expected).abs() <= 1e-12 * expected.abs().max(1.0), "{found} {expected}");
+}
+
+#[test]
+fn the_fused_sums_are_those_of_the_fields() {
+    let (positions, velocities, densities) = (cloud::<f64>(), velocities::<f64>(), [1.01; N]);
+    let mut scheme = scheme::<f64>();
+    let pressures: [f64; N] = core::array::from_fn(|i| libm::cos(i as f64));
+    let drifts = [[0.0; 2]; N];
+    let state = State {
+        fluid: N,
+        velocities: &velocities,
+        densities: &densities,
+        pressures: &pressures,
+        drifts: &drifts,
+    };
+    let search = BruteForce::new(&positions).unwrap();
+    let volumes = Sources::new(&search, Uniform(0.01 / 1.01)).unwrap();
+    let w = &scheme.influence.clone();
+    let (pressure, velocity) =
+        (Field::new(&volumes, &pressures).unwrap(), Field::new(&volumes, &velocities).unwrap());
+    for i in [0, 8, 24, 48] {
+        let force = scheme.forces(&search, &state, i).unwrap();
+        let gradient = pressure.symmetric_gradient(w, &densities, i).unwrap();
+        near(force.acceleration[0], -gradient[0] / 1.01);
+        near(force.acceleration[1], -gradient[1] / 1.01);
+
+        let rate = scheme.density_rate(&search, &state, &[Forces::NONE; N], i).unwrap();
+        near(rate, -1.01 * field::divergence(&velocity.jacobian::<2>(w, i).unwrap()));
+
+        scheme.liquid.kinematic_viscosity = 0.3;
+        let viscous = scheme.forces(&search, &state, i).unwrap();
+        let laplacian: [f64; 2] = velocity.laplacian(w, i).unwrap();
+        near(viscous.acceleration[0] - force.acceleration[0], 0.3 * laplacian[0]);
+        scheme.liquid.kinematic_viscosity = 0.0;
+    }
+    assert_eq!(scheme.forces(&search, &state, N), None);
+}
+
+/// Σ v and Σ x × v, with the sum of the terms' sizes.
+fn momenta<T: Scalar>(positions: &[[T; 2]], velocities: &[[T; 2]]) -> [f64; 4] {
+    let mut sums = [0.0; 4];
+    for (x, v) in positions.iter().zip(velocities) {
+        let ([x, y], [u, v]) = (x.map(T::to_f64), v.map(T::to_f64));
+        sums[0] += u;
+        sums[1] += v;
+        sums[2] += x * v - y * u;
+        sums[3] += u.abs() + v.abs();
+    }
+    sums
+}
+
+fn run_free_cloud<T: Scalar>(scheme: &Scheme<T, 2, W<T>>, steps: usize) -> ([f64; 4], [f64; 4]) {
+    let (mut positions, mut velocities) = (cloud::<T>(), velocities::<T>());
+    let before = momenta(&positions, &velocities);
+    let mut particles = Particles {
+        positions: &mut positions,
+        velocities: &mut velocities,
+        densities: &mut [T::from_f64(1.002); N],
+        pressures: &mut [T::ZERO; N],
+        forces: &mut [Forces::NONE; N],
+        drifts: &mut [[T::ZERO; 2]; N],
+        rates: &mut [T::ZERO; N],
+        walls: &mut [],
+        starts: &mut [0_u8; 10],
+        entries: &mut [0_u8; N],
+    };
+    scheme.prepare(&mut particles, &Sequential).unwrap();
+    for _ in 0..steps {
+        let dt = scheme.stable_step(&particles, &Limits::default());
+        scheme.step(&mut particles, dt, &Sequential).unwrap();
+    }
+    (before, momenta(&positions, &velocities))
+}
+
+#[test]
+fn momentum_is_kept_to_rounding() {
+    fn check<T: Scalar>(tolerance: f64) {
+        let mut scheme = scheme::<T>();
+        scheme.liquid.artificial_viscosity = T::from_f64(0.2);
+        scheme.liquid.density_diffusion = T::from_f64(0.1);
+        let (before, after) = run_free_cloud(&scheme, 100);
+        assert!((after[3] / before[3] - 1.0).abs() > 1e-3, "something happened");
+        for k in 0..3 {
+            assert!((after[k] - before[k]).abs() < tolerance * before[3], "{k}: {before:?} {after:?}");
+        }
+    }
+    check::<f64>(1e-14);
+    check::<f32>(1e-5);
+}
+
+#[test]
+fn walls_extrapolate_a_linear_pressure_and_push_only() {
+    let mut scheme = scheme::<f64>();
+    scheme.liquid.gravity = [0.3, -2.0];
+    let positions: [[f64; 2]; N] = core::array::from_fn(|i| if i == 0 { [0.3, -0.1] } else { cloud()[i] });
+    // the wall last, fluid first
+    let positions: [[f64; 2]; N] = core::array::from_fn(|i| positions[(i + 1) % N]);
+    let pressure_at = |x: &[f64; 2]| 5.0 + dot(&scheme.liquid.gravity, x);
+    let pressures = positions.map(|x| pressure_at(&x));
+    let (velocities, densities, drifts) = ([[0.5, -0.25]; N], [1.0; N], [[0.0; 2]; N - 1]);
+    let search = BruteForce::new(&positions).unwrap();
+    let state = |pressures| State {
+        fluid: N - 1,
+        velocities: &velocities,
+        densities: &densities,
+        pressures,
+        drifts: &drifts,
+    };
+    let wall = scheme.wall(&search, &state(&pressures), N - 1).unwrap();
+    near(wall.pressure, pressure_at(&positions[N - 1]));
+    near(scheme.liquid.equation_of_state.pressure(wall.density), wall.pressure);
+    near(wall.velocity[0], -0.5);
+    near(wall.velocity[1], 0.25);
+    let wall = scheme.wall(&search, &state(&[-5.0; N]), N - 1).unwrap();
+    assert_eq!((wall.pressure, wall.density), (0.0, 1.0));
+}
+
+#[test]
+fn each_limit_of_the_step_is_its_closed_form() {
+    let mut scheme = scheme::<f64>();
+    let (limits, length) = (Limits::default(), 0.135);
+    near(scheme.longest_step(&limits, 3.0, 0.0), 0.25 * length / 13.0);
+    near(scheme.longest_step(&limits, 0.0, 1e6), 0.25 * libm::sqrt(length / 1e6));
+    scheme.liquid.artificial_viscosity = 0.5;
+    near(scheme.longest_step(&limits, 3.0, 0.0), 0.25 * length / 16.0);
+    scheme.liquid.kinematic_viscosity = 2.0;
+    near(scheme.longest_step(&limits, 3.0, 0.0), 0.125 * length * length / 2.0);
+}
+
+#[test]
+fn slices_that_do_not_agree_and_lost_particles_are_errors() {
+    let scheme = scheme::<f64>();
+    let mut positions = cloud::<f64>();
+    positions[7][1] = f64::NAN;
+    let mut particles = Particles {
+        positions: &mut positions,
+        velocities: &mut [[0.0; 2]; N],
+        densities: &mut [1.0; N],
+        pressures: &mut [0.0; N],
+        forces: &mut [Forces::NONE; N],
+        drifts: &mut [[0.0; 2]; N],
+        rates: &mut [0.0; N],
+        walls: &mut [],
+        starts: &mut [0_u8; 10],
+        entries: &mut [0_u8; N],
+    };
+    let error = scheme.prepare(&mut particles, &Sequential).unwrap_err();
+    assert_eq!(error, crate::Error::NotFinite { parameter: crate::Parameter::Position, index: 7 });
+    let mut short = [[0.0; 2]; N - 1];
+    particles.drifts = &mut short;
+    let error = scheme.step(&mut particles, 0.1, &Sequential).unwrap_err();
+    assert!(matches!(error, crate::Error::LengthMismatch { expected: N, .. }));
+}

@@ -1,0 +1,148 @@
+//! The 2^−14 companion of the fixed-point scalars.
+
+use super::{Fixed, Format, Overflow, Word};
+use crate::Arithmetic;
+use crate::scalar::compact::{Compact, Near};
+use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
+
+/// Bits behind the binary point.
+const FRACTION: u32 = 14;
+/// Bits by which a stored sum of weights is coarser.
+const WEIGHT_SHIFT: u32 = 3;
+
+/// An integer count of 2^−14 in 32 bits; see [`compact`](crate::scalar::compact). `*` rounds down.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+#[repr(transparent)]
+pub struct Near14(i32);
+
+impl<F: Format, O: Overflow> Compact for Fixed<F, O> {
+    type Near = Near14;
+
+    #[inline(always)]
+    fn offset(self, other: Self) -> Near14 {
+        Near14(self.to_bits().near_difference(other.to_bits(), F::FRAC_NBITS, FRACTION))
+    }
+
+    #[inline(always)]
+    fn from_near(near: Near14) -> Self {
+        Self::narrow(F::Bits::from_near(near.0, F::FRAC_NBITS, FRACTION))
+    }
+}
+
+impl Near for Near14 {
+    type Stored = i16;
+
+    const STORED_ZERO: i16 = 0;
+
+    #[inline(always)]
+    fn store(self) -> i16 {
+        self.0.clamp(-i32::from(i16::MAX), i16::MAX.into()) as i16
+    }
+
+    #[inline(always)]
+    fn evenly(self, other: Self) -> Self {
+        const HALF: i32 = 1 << (FRACTION - 1);
+        Self(self.0.wrapping_mul(other.0).wrapping_add(HALF).wrapping_shr(FRACTION))
+    }
+
+    #[inline(always)]
+    fn store_low(self) -> i16 {
+        self.0 as i16
+    }
+
+    #[inline(always)]
+    fn load(stored: i16) -> Self {
+        Self(stored.into())
+    }
+
+    #[inline(always)]
+    fn store_weight(self) -> i16 {
+        self.0.wrapping_shr(WEIGHT_SHIFT) as i16
+    }
+
+    #[inline(always)]
+    fn load_weight(stored: i16) -> Self {
+        Self(i32::from(stored as u16).wrapping_shl(WEIGHT_SHIFT))
+    }
+}
+
+impl Arithmetic for Near14 {
+    const ZERO: Self = Self(0);
+    const ONE: Self = Self(1 << FRACTION);
+
+    #[inline(always)]
+    fn ratio(numerator: i32, denominator: i32) -> Self {
+        let numerator = i64::from(numerator).wrapping_shl(FRACTION);
+        Self(i32::quotient(numerator, denominator.into()).unwrap_or(0) as i32)
+    }
+
+    #[inline(always)]
+    fn positive_part(self) -> Self {
+        Self(self.0 & !self.0.wrapping_shr(31))
+    }
+
+    #[inline(always)]
+    fn times(self, n: i32) -> Self {
+        Self(self.0.wrapping_mul(n))
+    }
+}
+
+impl Add for Near14 {
+    type Output = Self;
+
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        Self(self.0.wrapping_add(other.0))
+    }
+}
+
+impl Sub for Near14 {
+    type Output = Self;
+
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        Self(self.0.wrapping_sub(other.0))
+    }
+}
+
+impl Mul for Near14 {
+    type Output = Self;
+
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        Self(self.0.wrapping_mul(other.0).wrapping_shr(FRACTION))
+    }
+}
+
+/// Rounded to nearest, ties away from zero; 0 for a divisor of 0.
+impl Div for Near14 {
+    type Output = Self;
+
+    #[inline(always)]
+    fn div(self, other: Self) -> Self {
+        Self::ratio(self.0, other.0)
+    }
+}
+
+impl Neg for Near14 {
+    type Output = Self;
+
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self(self.0.wrapping_neg())
+    }
+}
+
+impl AddAssign for Near14 {
+    #[inline(always)]
+    fn add_assign(&mut self, other: Self) {
+        *self = *self + other;
+    }
+}
+
+impl SubAssign for Near14 {
+    #[inline(always)]
+    fn sub_assign(&mut self, other: Self) {
+        *self = *self - other;
+    }
+}

@@ -1,0 +1,109 @@
+//! Decaying vortices, periodic on both axes: u = −U cos(2πx/L) sin(2πy/L), v = U sin(2πx/L) cos(2πy/L), Re = U L/ν = 100.
+//!
+//! Kinetic energy falls as exp(−16π² t/Re) with L = U = 1.
+
+use std::f64::consts::PI;
+
+use super::{Case, View, conservation};
+use crate::picture::plot::{Mark, Plot, Series as Curve};
+use crate::run::series::{Check, Series};
+use crate::run::setup::{Setup, State, cells, centre, jittered};
+use crate::run::simulation::Snapshot;
+
+/// The file of the plot.
+pub(super) const PLOT: &str = "decay.png";
+const REYNOLDS: f64 = 100.0;
+
+/// The Taylor-Green vortices.
+pub(in crate::run) struct TaylorGreen {
+    /// Particles over the period.
+    pub(in crate::run) resolution: u32,
+    /// Relative rounding of a sum over the particles, which momentum is kept to.
+    pub(in crate::run) rounding: f64,
+}
+
+/// Kinetic energy over that at the start.
+fn exact(time: f64) -> f64 {
+    (-16.0 * PI * PI * time / REYNOLDS).exp()
+}
+
+impl Case<2> for TaylorGreen {
+    fn setup(&self) -> Setup<2> {
+        let n = i64::from(self.resolution);
+        let spacing = 1.0 / f64::from(self.resolution);
+        let positions: Vec<_> = cells([0; 2], [n; 2])
+            .iter()
+            .enumerate()
+            .map(|(i, cell)| jittered(i, centre(cell, spacing), 0.2 * spacing))
+            .collect();
+        let k = 2.0 * PI;
+        Setup {
+            spacing,
+            reach: 4.0,
+            state: State::Linear,
+            rest_density: 1.0,
+            sound_speed: 10.0,
+            gravity: [0.0; 2],
+            artificial_viscosity: 0.0,
+            kinematic_viscosity: 1.0 / REYNOLDS,
+            density_diffusion: 0.1,
+            shift_speed: 1.0,
+            velocities: positions
+                .iter()
+                .map(|[x, y]| [-(k * x).cos() * (k * y).sin(), (k * x).sin() * (k * y).cos()])
+                .collect(),
+            pressures: positions
+                .iter()
+                .map(|[x, y]| -0.25 * ((2.0 * k * x).cos() + (2.0 * k * y).cos()))
+                .collect(),
+            positions,
+            walls: Vec::new(),
+            lower: [0.0; 2],
+            upper: [1.0; 2],
+            periodic: [true; 2],
+        }
+    }
+
+    fn duration(&self) -> f64 {
+        1.0
+    }
+
+    fn columns(&self) -> &'static [&'static str] {
+        &["decay_error"]
+    }
+
+    fn measure(&self, now: &Snapshot<2>) -> Vec<f64> {
+        let squares: f64 = now.velocities.iter().map(|[u, v]| u * u + v * v).sum();
+        // ⟨u² + v²⟩ is U²/2 at the start
+        vec![squares / now.velocities.len() as f64 / 0.5 / exact(now.time) - 1.0]
+    }
+
+    fn checks(&self, series: &Series, _: &Snapshot<2>) -> Vec<Check> {
+        let error = series.at("decay_error", 1.0).unwrap_or(f64::NAN);
+        let mut checks = vec![Check::at_most("kinetic energy at t = 1 against the exact one", error, 0.03)];
+        checks.extend(conservation(series, self.rounding, false));
+        checks
+    }
+
+    fn plots(&self, series: &Series, _: &Snapshot<2>) -> (&'static str, Vec<Vec<Plot>>) {
+        let errors = series.column("decay_error");
+        let log = |t: f64, factor: f64| [t, (factor * exact(t)).log10()];
+        let ours = errors.iter().map(|&[t, error]| log(t, 1.0 + error)).collect();
+        let theirs = errors.iter().map(|&[t, _]| log(t, 1.0)).collect();
+        let plot = Plot {
+            title: "Decay of the vortices at Re = 100".into(),
+            x_title: "t U / L".into(),
+            y_title: "log₁₀ of kinetic energy / that at the start".into(),
+            series: vec![
+                Curve { name: "exp(−16π² t/Re)".into(), points: theirs, mark: Mark::Line },
+                Curve { name: "fluisim".into(), points: ours, mark: Mark::Points },
+            ],
+            ..Plot::default()
+        };
+        (PLOT, vec![vec![plot]])
+    }
+
+    fn view(&self) -> View {
+        View { radius: 0.5 / f64::from(self.resolution), lower: [0.0; 2], upper: [1.0; 2], speed: 1.0 }
+    }
+}

@@ -1,0 +1,152 @@
+//! What is measured in every case: energies, momentum, density, spacing.
+
+use rayon::prelude::*;
+use sph_core::fluid::EquationOfState;
+use sph_core::vector::{dot, norm_squared};
+use sph_core::{CellGrid, CellLayout, Neighbours};
+
+use super::setup::Setup;
+use super::simulation::Snapshot;
+
+/// What every row of the series begins with, after the time.
+pub(super) const COLUMNS: [&str; 5] =
+    ["kinetic_energy", "potential_energy", "max_speed", "mean_density_error", "min_spacing"];
+
+/// What every row ends with.
+pub(super) const LAST_COLUMNS: [&str; 4] =
+    ["compression_energy", "momentum_error", "angular_momentum_error", "outside"];
+
+/// Measures snapshots of one case.
+pub(super) struct Meter<const D: usize> {
+    mass: f64,
+    spacing: f64,
+    rest_density: f64,
+    gravity: [f64; D],
+    state: EquationOfState<f64>,
+    layout: Option<CellLayout<f64, D>>,
+    /// Σ m v and Σ m x × v at the start.
+    momentum: [f64; D],
+    spin: [f64; 3],
+    /// Σ m |v| and Σ m |x| |v| at the start; where these are zero, they are taken now.
+    scale: f64,
+    spin_scale: f64,
+    inside: [(f64, f64); D],
+}
+
+impl<const D: usize> Meter<D> {
+    /// A meter for a case that starts so; particles beyond `inside` have escaped.
+    pub(super) fn new(setup: &Setup<D>, inside: [(f64, f64); D]) -> Result<Self, sph_core::Error> {
+        let mass = setup.mass();
+        let momentum = momentum(mass, &setup.velocities);
+        let spin = spin(mass, &setup.positions, &setup.velocities);
+        let [scale, spin_scale] = scales(mass, &setup.positions, &setup.velocities);
+        Ok(Self {
+            mass,
+            spacing: setup.spacing,
+            rest_density: setup.rest_density,
+            gravity: setup.gravity,
+            state: setup.liquid::<f64>()?.equation_of_state,
+            layout: super::simulation::layout(setup, 2.0 * setup.spacing).ok(),
+            momentum,
+            spin,
+            scale,
+            spin_scale,
+            inside,
+        })
+    }
+
+    /// The values of [`COLUMNS`].
+    pub(super) fn measure(&self, now: &Snapshot<D>) -> [f64; COLUMNS.len()] {
+        let squares = now.velocities.iter().map(norm_squared);
+        let potential: f64 = now.positions.iter().map(|x| -self.mass * dot(&self.gravity, x)).sum();
+        let excess = now.densities.iter().map(|density| (density / self.rest_density - 1.0).abs());
+        [
+            squares.clone().map(|square| 0.5 * self.mass * square).sum(),
+            potential,
+            squares.fold(0.0, f64::max).sqrt(),
+            excess.sum::<f64>() / now.densities.len() as f64,
+            self.least_spacing(now),
+        ]
+    }
+
+    /// The values of [`LAST_COLUMNS`].
+    pub(super) fn measure_last(&self, now: &Snapshot<D>) -> [f64; LAST_COLUMNS.len()] {
+        let compression = now.densities.iter().map(|&density| self.mass * self.state.energy(density)).sum();
+        let momentum = momentum(self.mass, &now.velocities);
+        let spin = spin(self.mass, &now.positions, &now.velocities);
+        let change = |now: &[f64], then: &[f64]| {
+            now.iter().zip(then).map(|(now, then)| (now - then).powi(2)).sum::<f64>().sqrt()
+        };
+        let [scale, spin_scale] = scales(self.mass, &now.positions, &now.velocities);
+        let relative = |change: f64, scales: [f64; 2]| {
+            scales.iter().find(|&&scale| scale > 0.0).map_or(change, |scale| change / scale)
+        };
+        [
+            compression,
+            relative(change(&momentum, &self.momentum), [self.scale, scale]),
+            relative(change(&spin, &self.spin), [self.spin_scale, spin_scale]),
+            self.outside(now) as f64,
+        ]
+    }
+
+    /// How many particles are nowhere, or behind the first layer of wall particles. One that hits a wall hard may come as far.
+    fn outside(&self, now: &Snapshot<D>) -> usize {
+        let slack = self.spacing;
+        let is_inside = |x: &&[f64; D]| {
+            let mut sides = x.iter().zip(&self.inside);
+            sides.all(|(x, &(lower, upper))| (lower - slack..=upper + slack).contains(x))
+        };
+        now.positions.len() - now.positions.iter().filter(is_inside).count()
+    }
+
+    /// The least distance of two particles, in first spacings; 2 where none are nearer than that.
+    fn least_spacing(&self, now: &Snapshot<D>) -> f64 {
+        let Some(layout) = self.layout else { return f64::NAN };
+        let mut starts = vec![0_u32; layout.cells() + 1];
+        let mut entries = vec![0_u32; now.positions.len()];
+        let Ok(search) = CellGrid::build(layout, &now.positions, &mut starts, &mut entries) else {
+            return f64::NAN;
+        };
+        let reach = 2.0 * self.spacing;
+        let least_at = |(i, x): (usize, &[f64; D])| {
+            let mut least = reach * reach;
+            search.for_each(x, reach, |neighbour| {
+                if neighbour.index != i {
+                    least = least.min(neighbour.distance_squared);
+                }
+            });
+            least
+        };
+        let least = now.positions.par_iter().enumerate().map(least_at).reduce(|| reach * reach, f64::min);
+        least.sqrt() / self.spacing
+    }
+}
+
+/// Σ m |v| and Σ m |x| |v|
+fn scales<const D: usize>(mass: f64, positions: &[[f64; D]], velocities: &[[f64; D]]) -> [f64; 2] {
+    let mut sums = [0.0; 2];
+    for (x, v) in positions.iter().zip(velocities) {
+        let momentum = mass * norm_squared(v).sqrt();
+        sums[0] += momentum;
+        sums[1] += momentum * norm_squared(x).sqrt();
+    }
+    sums
+}
+
+/// Σ m v
+fn momentum<const D: usize>(mass: f64, velocities: &[[f64; D]]) -> [f64; D] {
+    std::array::from_fn(|axis| velocities.iter().map(|v| mass * v[axis]).sum())
+}
+
+/// Σ m x × v; in two dimensions along the third axis.
+fn spin<const D: usize>(mass: f64, positions: &[[f64; D]], velocities: &[[f64; D]]) -> [f64; 3] {
+    let part = |v: &[f64; D], axis: usize| v.get(axis).copied().unwrap_or(0.0);
+    let mut spin = [0.0; 3];
+    for (x, v) in positions.iter().zip(velocities) {
+        for (axis, total) in spin.iter_mut().enumerate() {
+            let (a, b) = ((axis + 1) % 3, (axis + 2) % 3);
+            *total += mass * (part(x, a) * part(v, b) - part(x, b) * part(v, a));
+        }
+    }
+    spin
+}

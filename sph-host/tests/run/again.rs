@@ -1,0 +1,113 @@
+//! The same run again: other threads, interrupted and resumed, in a directory that is taken.
+
+use std::fs;
+
+use crate::support::Folder;
+
+const RUN: &str = "run --resolution 8 --every 0.004";
+
+/// Everything but the summary and the checkpoint, which hold the time it took.
+const FILES: [&str; 7] = [
+    "series.csv",
+    "frame_0003.vtu",
+    "frame_0003.png",
+    "frame_0004.vtu",
+    "frames.pvd",
+    "front.png",
+    "animation.gif",
+];
+
+fn assert_same(folder: &Folder, one: &str, other: &str) {
+    for file in FILES {
+        let [a, b] = [one, other].map(|place| folder.bytes(&format!("{place}/{file}")));
+        assert!(a == b, "{file} of {one} and {other} differ");
+    }
+}
+
+#[test]
+fn threads_and_interruptions_change_no_byte() {
+    let folder = Folder::new();
+    for scalar in ["f64", "f32"] {
+        let run = format!("{RUN} --scalar {scalar} --force");
+        folder.succeed(&format!("{run} --time 0.016 --out whole --threads 1"));
+        folder.succeed(&format!("{run} --time 0.016 --out threads --threads 3"));
+        assert_same(&folder, "whole", "threads");
+        // ends between two frames, goes on
+        folder.succeed(&format!("{run} --time 0.01 --out parted"));
+        assert!(folder.path("parted/frame_0003.vtu").exists());
+        folder.succeed(&format!("{RUN} --scalar {scalar} --time 0.016 --out parted --resume"));
+        assert_same(&folder, "whole", "parted");
+    }
+    let [a, b] = ["whole", "parted"].map(|place| {
+        let mut json: serde_json::Value =
+            serde_json::from_slice(&folder.bytes(&format!("{place}/summary.json"))).unwrap();
+        let object = json.as_object_mut().unwrap();
+        for name in ["wall_s", "particle_steps_per_s"] {
+            assert!(object.remove(name).unwrap().as_f64().unwrap() > 0.0);
+        }
+        object.retain(|name, _| !name.contains("stepping") && !name.starts_with("us_per"));
+        json
+    });
+    assert_eq!(a, b);
+}
+
+#[test]
+fn what_a_crash_left_behind_is_no_harm() {
+    let folder = Folder::new();
+    folder.succeed(&format!("{RUN} --time 0.016 --out whole"));
+    folder.succeed(&format!("{RUN} --time 0.016 --out crashed"));
+    // as if the run had died while it wrote the frame after the last complete one
+    let checkpoint = String::from_utf8(folder.bytes("crashed/checkpoint.json")).unwrap();
+    folder.write("crashed/checkpoint.json", checkpoint.replace("\"frames\": 5", "\"frames\": 3"));
+    folder.write("crashed/frame_0003.vtu", "half a frame");
+    fs::remove_file(folder.path("crashed/frame_0004.vtu")).unwrap();
+    folder.succeed(&format!("{RUN} --time 0.016 --out crashed --resume"));
+    assert_same(&folder, "whole", "crashed");
+}
+
+#[test]
+fn an_earlier_run_is_kept_unless_told_otherwise() {
+    let folder = Folder::new();
+    let run = format!("{RUN} --time 0.004 --out dam");
+    folder.succeed(&run);
+    folder.write("dam/notes.txt", "mine");
+    let before = folder.bytes("dam/summary.json");
+    folder.fail_with(1, &run, &["dam", "--resume", "--force"]);
+    folder.fail_with(1, "run drop --resolution 8 --out dam", &["dam"]);
+    assert_eq!(before, folder.bytes("dam/summary.json"));
+    for (other, parts) in [
+        (
+            "run --resolution 9 --every 0.004 --time 0.008 --out dam --resume",
+            ["resolution 8", "resolution 9"],
+        ),
+        ("run --resolution 8 --every 0.002 --time 0.008 --out dam --resume", ["every 0.004", "every 0.002"]),
+        ("run drop --resolution 8 --every 0.004 --time 0.008 --out dam --resume", ["dam-break", "drop"]),
+    ] {
+        folder.fail_with(1, other, &parts);
+    }
+    folder.succeed("run drop --resolution 8 --time 0.0002 --every 0.0002 --out dam --force");
+    assert!(!folder.path("dam/front.png").exists(), "nothing of the earlier run is left");
+    assert_eq!(folder.bytes("dam/notes.txt"), b"mine");
+}
+
+#[test]
+fn damage_is_an_error_that_names_the_file() {
+    let folder = Folder::new();
+    let run = format!("{RUN} --time 0.008 --out dam");
+    folder.succeed(&run);
+    let resume = format!("{run} --resume");
+    let kept = folder.bytes("dam/checkpoint.json");
+    for (file, content, part) in [
+        ("checkpoint.json", "{", "checkpoint.json"),
+        ("series.csv", "time\n0\n", "series.csv"),
+        ("series.csv", "time,kinetic_energy\n0,x\n", "series.csv"),
+        ("frame_0002.vtu", "<VTKFile", "frame_0002.vtu"),
+    ] {
+        let sound = folder.bytes(&format!("dam/{file}"));
+        folder.write(&format!("dam/{file}"), content);
+        folder.fail_with(1, &resume, &[part]);
+        folder.write(&format!("dam/{file}"), sound);
+    }
+    assert_eq!(kept, folder.bytes("dam/checkpoint.json"));
+    folder.succeed(&resume);
+}

@@ -1,0 +1,10 @@
+//! `fluisim run` from outside: what is promised of it, sentence by sentence, at resolutions that take no time.
+
+#[path = "../cli/support.rs"]
+#[allow(dead_code)] // shared with the tests of `sample`
+mod support;
+
+mod again;
+mod files;
+mod process;
+mod words;
