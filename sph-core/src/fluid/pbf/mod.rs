@@ -135,7 +135,14 @@ impl<T: Compact, C, I: Index, const D: usize, const CAP: usize, const CELLS: usi
     pub const fn with_settings(container: C, settings: Settings) -> Self {
         const { assert!(D == 2 || D == 3, "two or three dimensions") };
         let particles = [Particle::AT_ORIGIN; CAP];
-        Self { container, starts: [I::ZERO; CELLS], ends: [I::ZERO; CELLS], particles, len: I::ZERO, settings }
+        Self {
+            container,
+            starts: [I::ZERO; CELLS],
+            ends: [I::ZERO; CELLS],
+            particles,
+            len: I::ZERO,
+            settings,
+        }
     }
 
     /// How it behaves, to be changed at any time.

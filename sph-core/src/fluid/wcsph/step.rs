@@ -15,7 +15,7 @@ use crate::{CellGrid, CellLayout, Error, Index, Influence, Parameter, Scalar, ch
 /// How a loop over particles is run: one after another, or spread over threads. Each result depends on its number alone, so
 /// every executor gives the same bits.
 pub trait Executor {
-    /// out[i] = f(i)
+    /// `out[i] = f(i)`
     fn fill<U: Send>(&self, out: &mut [U], f: impl Fn(usize) -> U + Sync);
 }
 
