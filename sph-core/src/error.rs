@@ -6,7 +6,6 @@ use core::fmt;
 
 /// The argument an [`Error`] speaks of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Parameter {
     /// h, the radius beyond which the kernel vanishes.
@@ -77,7 +76,6 @@ impl fmt::Display for Parameter {
 /// assert_eq!(refused.unwrap_err(), Error::NotPositive { parameter: Parameter::SupportRadius, index: 0 });
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Error {
     /// A value is NaN, infinite, or a fixed-point number that overflowed.
@@ -166,3 +164,46 @@ impl fmt::Display for Error {
 }
 
 impl core::error::Error for Error {}
+
+/// The text of `Display`, for a probe's console.
+#[cfg(feature = "defmt")]
+impl defmt::Format for Parameter {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        defmt::write!(f, "{=str}", self.name());
+    }
+}
+
+/// The text of `Display`; what does not change stays on the host.
+#[cfg(feature = "defmt")]
+impl defmt::Format for Error {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        match *self {
+            Self::NotFinite { parameter, index } => {
+                defmt::write!(f, "{} {=usize} is not finite", parameter, index);
+            }
+            Self::NotPositive { parameter, index } => {
+                defmt::write!(f, "{} {=usize} is not greater than zero", parameter, index);
+            }
+            Self::LengthMismatch { parameter, expected, found } => {
+                defmt::write!(f, "{}: expected {=usize} values, found {=usize}", parameter, expected, found);
+            }
+            Self::CapacityExceeded { parameter, capacity, needed } => {
+                defmt::write!(f, "{}: capacity {=usize}, needed {=usize}", parameter, capacity, needed);
+            }
+            Self::NotRepresentable { parameter } => {
+                defmt::write!(
+                    f,
+                    "{} is outside the range of the scalar: choose units nearer to 1",
+                    parameter
+                );
+            }
+            Self::SingularKernel => defmt::write!(
+                f,
+                "the kernel diverges at r = 0: it is for viscosity forces, not for density or interpolation"
+            ),
+            Self::OutsideDomain { index, axis } => {
+                defmt::write!(f, "position {=usize} lies outside the periodic axis {=usize}", index, axis);
+            }
+        }
+    }
+}

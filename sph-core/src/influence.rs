@@ -35,6 +35,18 @@ pub trait Influence<T: Scalar, const D: usize> {
     /// ∇Ω(x), the derivative by x; `distance_squared` is |x|². Units L^{-D-1}; zero at x = 0.
     fn gradient(&self, x: &[T; D], distance_squared: T) -> [T; D];
 
+    /// Ω over [`constant`](Self::constant): what differs from pair to pair.
+    #[inline(always)]
+    fn shape(&self, distance_squared: T) -> T {
+        self.influence(distance_squared)
+    }
+
+    /// What all values of Ω have in common, so that a sum may multiply by it once.
+    #[inline(always)]
+    fn constant(&self) -> T {
+        T::ONE
+    }
+
     /// Ω(x) and ∇Ω(x) together.
     #[inline(always)]
     fn both(&self, x: &[T; D], distance_squared: T) -> (T, [T; D]) {
@@ -82,6 +94,16 @@ impl<T: Scalar, const D: usize, W: Influence<T, D>> Influence<T, D> for &W {
     #[inline(always)]
     fn gradient(&self, x: &[T; D], distance_squared: T) -> [T; D] {
         (**self).gradient(x, distance_squared)
+    }
+
+    #[inline(always)]
+    fn shape(&self, distance_squared: T) -> T {
+        (**self).shape(distance_squared)
+    }
+
+    #[inline(always)]
+    fn constant(&self) -> T {
+        (**self).constant()
     }
 
     #[inline(always)]

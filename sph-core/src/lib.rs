@@ -25,6 +25,8 @@
 //!
 //! Lengths may be in any unit L, masses in any unit M. Types of a small range want lengths near h and densities near 1.
 //!
+//! On real microcontrollers: [`hardware`], from a `static` to the probe.
+//!
 //! # Features
 //!
 //! `fixed`: fixed-point scalars. `micromath`: `Fast32`. `defmt`: `defmt::Format` for the public types. `embedded-graphics`: drawing a
@@ -39,6 +41,8 @@ pub mod difference;
 pub mod error;
 pub mod field;
 pub mod fluid;
+#[doc = include_str!("../docs/hardware.md")]
+pub mod hardware {}
 pub mod influence;
 pub mod kernel;
 pub mod neighbours;
@@ -52,7 +56,7 @@ pub use field::Field;
 pub use influence::{ClosureInfluence, Influence, InfluenceOf, KernelInfluence, PerSampleInfluence};
 pub use neighbours::{
     Axis, BruteForce, CellGrid, CellLayout, CellOrder, Domain, Index, InlineCellGrid, Neighbour,
-    NeighbourList, Neighbours,
+    NeighbourList, Neighbours, Open, Space,
 };
 pub use samples::{PerSample, Sources, Uniform};
 pub use scalar::{Accumulator, Arithmetic, Scalar};

@@ -129,3 +129,11 @@ impl<T: Scalar, const D: usize, N: Neighbours<T, D>, M: PerSample<T>> Sources<T,
         });
     }
 }
+
+/// The search, which says the number of samples, not their weights.
+#[cfg(feature = "defmt")]
+impl<T, const D: usize, N: defmt::Format, M> defmt::Format for Sources<T, D, N, M> {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        defmt::write!(f, "Sources by {}", self.search);
+    }
+}

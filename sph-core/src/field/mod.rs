@@ -78,3 +78,11 @@ impl<'a, T: Scalar, const D: usize, N: Neighbours<T, D>, M: PerSample<T>, V> Fie
         Some((*self.sources.positions().get(i)?, self.values.get(i)?))
     }
 }
+
+/// Its sources, not the values.
+#[cfg(feature = "defmt")]
+impl<T, const D: usize, N: defmt::Format, M, V> defmt::Format for Field<'_, T, D, N, M, V> {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        defmt::write!(f, "Field over {}", self.sources);
+    }
+}

@@ -74,6 +74,15 @@ impl<T: Scalar, const D: usize, F: Fn(T, T) -> T> Influence<T, D> for ClosureInf
     }
 }
 
+/// All but the closure.
+#[cfg(feature = "defmt")]
+impl<T: defmt::Format, const D: usize, F> defmt::Format for ClosureInfluence<T, D, F> {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        let Self { support_radius, inverse_volume, .. } = self;
+        defmt::write!(f, "ClosureInfluence of support radius {}, 1/V {}", support_radius, inverse_volume);
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

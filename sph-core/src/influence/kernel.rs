@@ -86,10 +86,10 @@ impl<T: Scalar, const D: usize, K: Kernel> KernelInfluence<T, D, K> {
         self.normalisation
     }
 
-    /// s = r² / h², held at 1, beyond which the kernel is zero.
+    /// s = r² / h²
     #[inline(always)]
     fn square(&self, distance_squared: T) -> T {
-        (distance_squared * self.inverse_square).min(T::ONE)
+        distance_squared * self.inverse_square
     }
 }
 
@@ -101,7 +101,19 @@ impl<T: Scalar, const D: usize, K: Kernel> Influence<T, D> for KernelInfluence<T
 
     #[inline(always)]
     fn influence(&self, distance_squared: T) -> T {
-        self.normalisation * K::profile_of_square::<T, D>(self.square(distance_squared))
+        self.normalisation * self.shape(distance_squared)
+    }
+
+    /// f(r/h)
+    #[inline(always)]
+    fn shape(&self, distance_squared: T) -> T {
+        K::profile_of_square::<T, D>(self.square(distance_squared))
+    }
+
+    /// σ_D h^{-D}
+    #[inline(always)]
+    fn constant(&self) -> T {
+        self.normalisation
     }
 
     #[inline(always)]

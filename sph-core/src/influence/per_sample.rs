@@ -50,3 +50,12 @@ impl<T: Scalar, const D: usize, K: Kernel> InfluenceOf<T, D> for PerSampleInflue
         self.reach
     }
 }
+
+/// The number of samples and the largest radius, not each of them.
+#[cfg(feature = "defmt")]
+impl<T: defmt::Format, const D: usize, K> defmt::Format for PerSampleInfluence<'_, T, D, K> {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        let samples = self.support_radii.len();
+        defmt::write!(f, "PerSampleInfluence of {=usize} samples, reach {}", samples, self.reach);
+    }
+}

@@ -9,6 +9,7 @@ use crate::{Scalar, difference};
 
 /// A law that a kernel can break.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Law {
     /// f(q) ≥ 0
     NonNegative,
@@ -29,6 +30,7 @@ pub enum Law {
 
 /// Which law is broken, and where.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Violation {
     /// The law.
     pub law: Law,

@@ -18,6 +18,7 @@ use crate::Arithmetic;
 /// assert_eq!(CubicSpline::profile(0.5_f32), 0.25);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct CubicSpline;
 
 impl Kernel for CubicSpline {

@@ -17,6 +17,8 @@
 //! | [`CubicSpline`] M₄, [`QuarticSpline`] M₅, [`QuinticSpline`] M₆ | Monaghan 1992; Price 2012 | 2, 5/2, 3 |
 //! | [`WendlandC2`], [`WendlandC4`], [`WendlandC6`] | Wendland 1995; Dehnen & Aly 2012 | 2 |
 //!
+//! [`Tabulated`] evaluates another kernel by a table in q², without a root.
+//!
 //! [`KernelInfluence`]: crate::KernelInfluence
 
 pub mod cubic_spline;
@@ -25,6 +27,7 @@ pub mod poly6;
 pub mod quartic_spline;
 pub mod quintic_spline;
 pub mod spiky;
+pub mod tabulated;
 pub mod viscosity;
 pub mod wendland_c2;
 pub mod wendland_c4;
@@ -39,6 +42,7 @@ pub use poly6::Poly6;
 pub use quartic_spline::QuarticSpline;
 pub use quintic_spline::QuinticSpline;
 pub use spiky::Spiky;
+pub use tabulated::Tabulated;
 pub use viscosity::{Viscosity, ViscosityLaplacian};
 pub use wendland_c2::WendlandC2;
 pub use wendland_c4::WendlandC4;
@@ -101,17 +105,17 @@ pub trait Kernel: Copy + core::fmt::Debug + Send + Sync + 'static {
         Self::slope(q)
     }
 
-    /// f(√s) for s = q² in [0, 1]; a kernel that is a polynomial of q² needs no root.
+    /// f(√s) for s = q² ≥ 0, zero for s ≥ 1 as infinity is; a kernel that is a polynomial of q² needs no root.
     #[inline(always)]
     fn profile_of_square<T: Scalar, const D: usize>(s: T) -> T {
-        let q = s.sqrt();
+        let q = root(s);
         if D == 1 { Self::profile_in_1d(q) } else { Self::profile(q) }
     }
 
-    /// f′(q) û with u = x/h, s = |u|² in [0, 1]; zero at u = 0. A kernel whose f′(q)/q has no pole needs no division.
+    /// f′(q) û with u = x/h, s = |u|² ≥ 0; zero at u = 0 and for s ≥ 1. A kernel whose f′(q)/q has no pole needs no division.
     #[inline(always)]
     fn slope_vector<T: Scalar, const D: usize>(u: &[T; D], s: T) -> [T; D] {
-        let q = s.sqrt();
+        let q = root(s);
         if q == T::ZERO {
             return [T::ZERO; D];
         }
@@ -147,6 +151,12 @@ pub trait Kernel: Copy + core::fmt::Debug + Send + Sync + 'static {
         }
         raw_unit::<Self, T>(support_radius) * Self::profile_in_1d(r / support_radius)
     }
+}
+
+/// q = √s, held at 1, beyond which every kernel is zero: squares may overflow there.
+#[inline(always)]
+fn root<T: Scalar>(s: T) -> T {
+    s.min(T::ONE).sqrt()
 }
 
 /// h^p

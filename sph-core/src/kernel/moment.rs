@@ -11,6 +11,7 @@ use crate::{ball, quadrature};
 ///
 /// `degree` may be −1: the moments then start at n = 2.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Term {
     /// c
     pub coefficient: f64,

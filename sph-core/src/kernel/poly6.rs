@@ -17,6 +17,7 @@ use crate::{Arithmetic, Scalar};
 /// assert_eq!(Poly6::profile(0.5_f32), 0.421875);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Poly6;
 
 impl Poly6 {

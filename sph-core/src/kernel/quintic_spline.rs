@@ -21,6 +21,7 @@ use crate::Arithmetic;
 /// assert_eq!(QuinticSpline::profile(1.0_f32), 0.0);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct QuinticSpline;
 
 impl Kernel for QuinticSpline {

@@ -17,6 +17,7 @@ use crate::Arithmetic;
 /// assert_eq!(Spiky::profile(0.5_f32), 0.125);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Spiky;
 
 impl Kernel for Spiky {

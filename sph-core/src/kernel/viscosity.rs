@@ -24,6 +24,7 @@ use crate::{Arithmetic, Error, Parameter, Scalar, ball};
 /// assert_eq!(KernelInfluence::<f32, 3, Viscosity>::new(1.0).unwrap_err(), Error::SingularKernel);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Viscosity;
 
 impl Kernel for Viscosity {

@@ -11,7 +11,7 @@
 //! Adv. Comput. Math. 4 (1995) 389; W. Dehnen, H. Aly, *Improving convergence in smoothed particle hydrodynamics simulations
 //! without pairing instability*, MNRAS 425 (2012) 1068, table 1.
 
-use super::{Kernel, Term};
+use super::{Kernel, Term, root};
 use crate::{Arithmetic, Scalar};
 
 /// Wendland C2; formula and source in the [module](self).
@@ -21,6 +21,7 @@ use crate::{Arithmetic, Scalar};
 /// assert_eq!(WendlandC2::profile(0.5_f32), 0.1875);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct WendlandC2;
 
 /// x f′(q) / q, multiplied in an order that stays below 8 for |x| ≤ q.
@@ -66,7 +67,7 @@ impl Kernel for WendlandC2 {
 
     #[inline(always)]
     fn slope_vector<T: Scalar, const D: usize>(u: &[T; D], s: T) -> [T; D] {
-        let q = s.sqrt();
+        let q = root(s);
         u.map(|component| if D == 1 { slope_times_in_1d(component, q) } else { slope_times(component, q) })
     }
 }

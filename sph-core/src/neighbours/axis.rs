@@ -1,6 +1,7 @@
 //! How space ends along each axis.
 
 use crate::{Error, Parameter, Scalar, check};
+use core::fmt::Debug;
 
 /// One axis of a [`Domain`].
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -70,25 +71,63 @@ impl<T: Scalar, const D: usize> Domain<T, D> {
     /// The image of x that lies in [lower, lower + length) along every periodic axis. What is not finite stays so; what is
     /// 2³¹ periods away or farther becomes `lower`.
     pub fn wrap(&self, x: &[T; D]) -> [T; D] {
-        let mut wrapped = *x;
-        for (coordinate, kind) in wrapped.iter_mut().zip(&self.axes) {
-            *coordinate = wrap_along(kind, *coordinate);
-        }
-        wrapped
+        wrap(self, x)
     }
+}
 
-    /// Every coordinate is finite, and inside on periodic axes.
-    pub(super) fn check(&self, positions: &[[T; D]]) -> Result<(), Error> {
-        for (index, position) in positions.iter().enumerate() {
-            for (axis, (&coordinate, kind)) in position.iter().zip(&self.axes).enumerate() {
-                check::finite(coordinate, Parameter::Position, index)?;
-                if !is_inside(kind, coordinate) {
-                    return Err(Error::OutsideDomain { index, axis });
-                }
+/// Open along every axis, known when the program is compiled: a search in it holds no code for periodic axes.
+///
+/// ```
+/// use sph_core::{BruteForce, CellLayout, Neighbours, Open};
+/// let samples = [[0.0_f32, 0.0], [0.5, 0.0]];
+/// assert_eq!(BruteForce::open(&samples)?.count(&[0.1, 0.0], 0.2), 1);
+/// let layout: CellLayout<f32, 2, Open> = CellLayout::unbounded(0.2, [4, 4])?.open();
+/// # Ok::<(), sph_core::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Open;
+
+/// How space ends, as a search asks for it: a [`Domain`] knows when the program runs, [`Open`] when it is compiled.
+pub trait Space<T, const D: usize>: Copy + Debug + Send + Sync {
+    /// How it ends along one axis.
+    fn axis(&self, axis: usize) -> Axis<T>;
+}
+
+impl<T: Scalar, const D: usize> Space<T, D> for Domain<T, D> {
+    #[inline(always)]
+    fn axis(&self, axis: usize) -> Axis<T> {
+        self.axes.get(axis).copied().unwrap_or(Axis::Open)
+    }
+}
+
+impl<T: Scalar, const D: usize> Space<T, D> for Open {
+    #[inline(always)]
+    fn axis(&self, _: usize) -> Axis<T> {
+        Axis::Open
+    }
+}
+
+/// [`Domain::wrap`] in any space.
+#[inline(always)]
+pub(super) fn wrap<T: Scalar, const D: usize>(space: &impl Space<T, D>, x: &[T; D]) -> [T; D] {
+    core::array::from_fn(|axis| wrap_along(&space.axis(axis), x[axis]))
+}
+
+/// Every coordinate is finite, and inside on periodic axes.
+pub(super) fn check<T: Scalar, const D: usize>(
+    space: &impl Space<T, D>,
+    positions: &[[T; D]],
+) -> Result<(), Error> {
+    for (index, position) in positions.iter().enumerate() {
+        for (axis, &coordinate) in position.iter().enumerate() {
+            check::finite(coordinate, Parameter::Position, index)?;
+            if !is_inside(&space.axis(axis), coordinate) {
+                return Err(Error::OutsideDomain { index, axis });
             }
         }
-        Ok(())
     }
+    Ok(())
 }
 
 /// x_j + k · length; x_j itself for k = 0.
@@ -119,7 +158,14 @@ pub(super) fn is_inside<T: Scalar>(kind: &Axis<T>, coordinate: T) -> bool {
 
 #[inline(always)]
 fn wrap_along<T: Scalar>(kind: &Axis<T>, coordinate: T) -> T {
-    let Axis::Periodic { lower, length } = *kind else { return coordinate };
+    match *kind {
+        Axis::Open => coordinate,
+        Axis::Periodic { lower, length } => wrap_into(lower, length, coordinate),
+    }
+}
+
+fn wrap_into<T: Scalar>(lower: T, length: T, coordinate: T) -> T {
+    let kind = &Axis::Periodic { lower, length };
     if is_inside(kind, coordinate) || !coordinate.is_finite() {
         return coordinate;
     }

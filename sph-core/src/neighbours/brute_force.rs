@@ -1,14 +1,14 @@
 //! Every sample against every query: the oracle that other searches are held against, and the smallest code.
 
-use super::axis::{image, image_reach};
-use super::{Domain, Neighbour, Neighbours};
+use super::axis::{self, image, image_reach};
+use super::{Domain, Neighbour, Neighbours, Open, Space};
 use crate::{Error, Scalar};
 
 /// Looks at all samples: ascending j, and for each j its images in ascending order, first axis fastest.
 #[derive(Clone, Copy, Debug)]
-pub struct BruteForce<'a, T, const D: usize> {
+pub struct BruteForce<'a, T, const D: usize, S = Domain<T, D>> {
     positions: &'a [[T; D]],
-    domain: Domain<T, D>,
+    space: S,
 }
 
 impl<'a, T: Scalar, const D: usize> BruteForce<'a, T, D> {
@@ -25,28 +25,45 @@ impl<'a, T: Scalar, const D: usize> BruteForce<'a, T, D> {
     /// # Errors
     /// [`Error::NotFinite`] or [`Error::OutsideDomain`] with the sample's index.
     pub fn in_domain(positions: &'a [[T; D]], domain: Domain<T, D>) -> Result<Self, Error> {
-        domain.check(positions)?;
-        Ok(Self { positions, domain })
+        Self::in_space(positions, domain)
     }
 }
 
-impl<T: Scalar, const D: usize> Neighbours<T, D> for BruteForce<'_, T, D> {
+impl<'a, T: Scalar, const D: usize> BruteForce<'a, T, D, Open> {
+    /// As [`new`](BruteForce::new), without code for periodic axes.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] with the sample's index.
+    pub fn open(positions: &'a [[T; D]]) -> Result<Self, Error> {
+        Self::in_space(positions, Open)
+    }
+}
+
+impl<'a, T: Scalar, const D: usize, S: Space<T, D>> BruteForce<'a, T, D, S> {
+    fn in_space(positions: &'a [[T; D]], space: S) -> Result<Self, Error> {
+        axis::check(&space, positions)?;
+        Ok(Self { positions, space })
+    }
+}
+
+impl<T: Scalar, const D: usize, S: Space<T, D>> Neighbours<T, D> for BruteForce<'_, T, D, S> {
     fn positions(&self) -> &[[T; D]] {
         self.positions
     }
 
+    #[inline]
     fn for_each(&self, x: &[T; D], radius: T, mut visit: impl FnMut(Neighbour<T, D>)) {
         if !radius.is_above_zero() {
             return;
         }
-        let x = self.domain.wrap(x);
+        let x = axis::wrap(&self.space, x);
         let radius_squared = radius * radius;
-        let reach = self.domain.axes().map(|axis| image_reach(&axis, radius));
+        let reach: [i32; D] = core::array::from_fn(|axis| image_reach(&self.space.axis(axis), radius));
         for (index, position) in self.positions.iter().enumerate() {
             let mut k = reach.map(|reach| -reach);
             loop {
                 let image =
-                    core::array::from_fn(|axis| image(&self.domain.axes()[axis], position[axis], k[axis]));
+                    core::array::from_fn(|axis| image(&self.space.axis(axis), position[axis], k[axis]));
                 if let Some(neighbour) = Neighbour::within(index, &x, &image, radius_squared) {
                     visit(neighbour);
                 }
@@ -68,4 +85,12 @@ fn advance<const D: usize>(k: &mut [i32; D], reach: &[i32; D]) -> bool {
         k[axis] = -reach[axis];
     }
     false
+}
+
+/// The number of samples, not each of them.
+#[cfg(feature = "defmt")]
+impl<T, const D: usize, S: defmt::Format> defmt::Format for BruteForce<'_, T, D, S> {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        defmt::write!(f, "BruteForce of {=usize} samples in {}", self.positions.len(), self.space);
+    }
 }

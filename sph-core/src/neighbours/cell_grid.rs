@@ -3,8 +3,8 @@
 //! `entries` holds the samples' indices by cell, and `starts[c]..starts[c + 1]` those of cell c. A row of cells along the
 //! first axis is one contiguous run of entries.
 
-use super::axis::image;
-use super::{CellLayout, Index, Neighbour, Neighbours};
+use super::axis::{self, image};
+use super::{CellLayout, Domain, Index, Neighbour, Neighbours, Space};
 use crate::{Error, Parameter, Scalar};
 
 /// A search over samples in cells, on slices that the caller owns.
@@ -23,14 +23,14 @@ use crate::{Error, Parameter, Scalar};
 /// # Ok::<(), sph_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
-pub struct CellGrid<'a, T, I, const D: usize> {
-    layout: CellLayout<T, D>,
+pub struct CellGrid<'a, T, I, const D: usize, S = Domain<T, D>> {
+    layout: CellLayout<T, D, S>,
     positions: &'a [[T; D]],
     starts: &'a [I],
     entries: &'a [I],
 }
 
-impl<'a, T: Scalar, I: Index, const D: usize> CellGrid<'a, T, I, D> {
+impl<'a, T: Scalar, I: Index, const D: usize, S: Space<T, D>> CellGrid<'a, T, I, D, S> {
     /// Sorts the samples into the layout's cells. `starts` takes cells + 1 indices, `entries` one for each sample; both may be
     /// longer. Time: O(samples + cells).
     ///
@@ -38,7 +38,7 @@ impl<'a, T: Scalar, I: Index, const D: usize> CellGrid<'a, T, I, D> {
     /// [`Error::CapacityExceeded`] where a slice is too short or I too narrow; [`Error::NotFinite`] or
     /// [`Error::OutsideDomain`] with the sample's index.
     pub fn build(
-        layout: CellLayout<T, D>,
+        layout: CellLayout<T, D, S>,
         positions: &'a [[T; D]],
         starts: &'a mut [I],
         entries: &'a mut [I],
@@ -50,7 +50,7 @@ impl<'a, T: Scalar, I: Index, const D: usize> CellGrid<'a, T, I, D> {
     /// The search over slices that [`build`](Self::build) has filled for these positions and this layout. Slices that it has
     /// not filled give a search that misses samples or meets some twice, and never a panic.
     pub fn from_sorted(
-        layout: CellLayout<T, D>,
+        layout: CellLayout<T, D, S>,
         positions: &'a [[T; D]],
         starts: &'a [I],
         entries: &'a [I],
@@ -75,8 +75,8 @@ impl<'a, T: Scalar, I: Index, const D: usize> CellGrid<'a, T, I, D> {
 }
 
 /// Counting sort of the samples by cell, ascending index within each.
-pub(super) fn sort<T: Scalar, I: Index, const D: usize>(
-    layout: &CellLayout<T, D>,
+pub(super) fn sort<T: Scalar, I: Index, const D: usize, S: Space<T, D>>(
+    layout: &CellLayout<T, D, S>,
     positions: &[[T; D]],
     starts: &mut [I],
     entries: &mut [I],
@@ -88,7 +88,7 @@ pub(super) fn sort<T: Scalar, I: Index, const D: usize>(
     };
     fits(Parameter::Cells, starts.len().saturating_sub(1), cells)?;
     fits(Parameter::Entries, entries.len().min(I::MAX), samples)?;
-    layout.domain.check(positions)?;
+    axis::check(&layout.space, positions)?;
 
     let starts = starts.get_mut(..=cells).unwrap_or_default();
     starts.fill(I::ZERO);
@@ -115,11 +115,12 @@ pub(super) fn sort<T: Scalar, I: Index, const D: usize>(
     Ok(())
 }
 
-impl<T: Scalar, I: Index, const D: usize> Neighbours<T, D> for CellGrid<'_, T, I, D> {
+impl<T: Scalar, I: Index, const D: usize, S: Space<T, D>> Neighbours<T, D> for CellGrid<'_, T, I, D, S> {
     fn positions(&self) -> &[[T; D]] {
         self.positions
     }
 
+    #[inline]
     fn for_each(&self, x: &[T; D], radius: T, mut visit: impl FnMut(Neighbour<T, D>)) {
         if !radius.is_above_zero() || D == 0 {
             return;
@@ -136,7 +137,7 @@ impl<T: Scalar, I: Index, const D: usize> Neighbours<T, D> for CellGrid<'_, T, I
     }
 }
 
-impl<T: Scalar, I: Index, const D: usize> CellGrid<'_, T, I, D> {
+impl<T: Scalar, I: Index, const D: usize, S: Space<T, D>> CellGrid<'_, T, I, D, S> {
     /// Visits the cells from `row` along the first axis to the cell number `last`, run by run of stored cells.
     #[inline(always)]
     fn visit_row(
@@ -175,11 +176,11 @@ impl<T: Scalar, I: Index, const D: usize> CellGrid<'_, T, I, D> {
         radius_squared: T,
         visit: &mut impl FnMut(Neighbour<T, D>),
     ) {
-        let axes = self.layout.domain.axes();
+        let space = &self.layout.space;
         for index in run {
             let index = index.to_usize();
             let Some(position) = self.positions.get(index) else { continue };
-            let position = core::array::from_fn(|axis| image(&axes[axis], position[axis], k[axis]));
+            let position = core::array::from_fn(|axis| image(&space.axis(axis), position[axis], k[axis]));
             if let Some(neighbour) = Neighbour::within(index, x, &position, radius_squared) {
                 visit(neighbour);
             }
@@ -198,4 +199,16 @@ fn next_row<const D: usize>(row: &mut [i32; D], ranges: &[(i32, i32); D]) -> boo
         row[axis] = ranges[axis].0;
     }
     false
+}
+
+/// The layout and the number of samples, not each of them.
+#[cfg(feature = "defmt")]
+impl<T, I, const D: usize, S> defmt::Format for CellGrid<'_, T, I, D, S>
+where
+    T: defmt::Format,
+    S: defmt::Format,
+{
+    fn format(&self, f: defmt::Formatter<'_>) {
+        defmt::write!(f, "CellGrid of {=usize} samples in {}", self.positions.len(), self.layout);
+    }
 }

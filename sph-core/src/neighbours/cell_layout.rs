@@ -7,7 +7,7 @@
 
 use core::num::NonZeroU32;
 
-use super::axis::{Axis, Domain, image_reach, is_inside};
+use super::axis::{Axis, Domain, Open, Space, image_reach, is_inside, wrap};
 use crate::{Error, Parameter, Scalar, check};
 
 /// How many cells along one axis, how wide, and what happens outside of them.
@@ -20,9 +20,10 @@ pub(super) struct CellAxis<T> {
     ends: Ends,
 }
 
-/// What lies beyond the cells of an axis.
+/// What lies beyond the cells of an axis. As wide as a register, so that an axis has no padding and is copied word by word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[repr(u32)]
 enum Ends {
     /// The outermost cells hold what lies beyond them.
     Clamped,
@@ -41,7 +42,10 @@ const MOST_CELLS: u32 = 1 << 20;
 impl<T: Scalar> CellAxis<T> {
     /// The cell number of a coordinate, before its ends are looked at; what overflows is farthest, and above where
     /// it compares with nothing.
-    #[inline(always)]
+    ///
+    /// Six places ask; on a microcontroller they share one copy of the code.
+    #[cfg_attr(target_os = "none", inline(never))]
+    #[cfg_attr(not(target_os = "none"), inline(always))]
     fn raw(&self, coordinate: T) -> i32 {
         let number = (coordinate - self.origin) * self.inverse_size;
         if number.is_finite() {
@@ -133,9 +137,9 @@ impl<T: Scalar> CellAxis<T> {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct CellLayout<T, const D: usize> {
+pub struct CellLayout<T, const D: usize, S = Domain<T, D>> {
     pub(super) axes: [CellAxis<T>; D],
-    pub(super) domain: Domain<T, D>,
+    pub(super) space: S,
 }
 
 impl<T: Scalar, const D: usize> CellLayout<T, D> {
@@ -173,11 +177,23 @@ impl<T: Scalar, const D: usize> CellLayout<T, D> {
     /// # Errors
     /// As [`Domain::periodic`] and [`bounded`](Self::bounded).
     pub fn periodic(mut self, axis: usize, lower: T, upper: T) -> Result<Self, Error> {
-        self.domain = self.domain.periodic(axis, lower, upper)?;
+        self.space = self.space.periodic(axis, lower, upper)?;
         if let Some(slot) = self.axes.get_mut(axis) {
             *slot = Self::dividing(axis, lower, upper - lower, slot.count.get(), Ends::Periodic)?;
         }
         Ok(self)
+    }
+
+    /// How space ends along each axis.
+    pub const fn domain(&self) -> &Domain<T, D> {
+        &self.space
+    }
+
+    /// The same cells in space that is known to be open when the program is compiled: a search there is smaller and faster. An
+    /// axis that was made periodic becomes a bounded one.
+    #[inline(always)]
+    pub fn open(self) -> CellLayout<T, D, Open> {
+        CellLayout { axes: self.axes, space: Open }
     }
 
     const fn unit_axis() -> CellAxis<T> {
@@ -201,20 +217,17 @@ impl<T: Scalar, const D: usize> CellLayout<T, D> {
         Ok(CellAxis { origin, inverse_size, count, ends })
     }
 
-    fn checked(axes: [CellAxis<T>; D], domain: Domain<T, D>) -> Result<Self, Error> {
+    fn checked(axes: [CellAxis<T>; D], space: Domain<T, D>) -> Result<Self, Error> {
         let total =
             axes.iter().try_fold(1_usize, |product, axis| product.checked_mul(axis.count.get() as usize));
         match total {
-            Some(_) => Ok(Self { axes, domain }),
+            Some(_) => Ok(Self { axes, space }),
             None => Err(Error::NotRepresentable { parameter: Parameter::Cells }),
         }
     }
+}
 
-    /// How space ends along each axis.
-    pub const fn domain(&self) -> &Domain<T, D> {
-        &self.domain
-    }
-
+impl<T: Scalar, const D: usize, S: Space<T, D>> CellLayout<T, D, S> {
     /// The number of cells in all.
     pub fn cells(&self) -> usize {
         self.axes.iter().fold(1, |product: usize, axis| product.wrapping_mul(axis.count.get() as usize))
@@ -224,17 +237,19 @@ impl<T: Scalar, const D: usize> CellLayout<T, D> {
     ///
     /// Not a part of a query's loop, so all queries share one copy of its code.
     pub(super) fn in_reach(&self, x: &[T; D], radius: T) -> ([T; D], [(i32, i32); D]) {
-        let x = self.domain.wrap(x);
+        let x = wrap(&self.space, x);
         let mut ranges = [(0, 0); D];
-        let along = self.axes.iter().zip(self.domain.axes()).zip(&x);
-        for (range, ((axis, kind), &coordinate)) in ranges.iter_mut().zip(along) {
-            *range = axis.range(kind, coordinate, radius);
+        for (axis, (range, (cells, &coordinate))) in
+            ranges.iter_mut().zip(self.axes.iter().zip(&x)).enumerate()
+        {
+            *range = cells.range(&self.space.axis(axis), coordinate, radius);
         }
         (x, ranges)
     }
 
     /// The number of the cell that a sample at x belongs to.
-    #[inline(always)]
+    #[cfg_attr(target_os = "none", inline(never))]
+    #[cfg_attr(not(target_os = "none"), inline(always))]
     pub(super) fn cell_of(&self, x: &[T; D]) -> usize {
         let mut cell = 0_usize;
         for (axis, &coordinate) in self.axes.iter().zip(x).rev() {

@@ -1,15 +1,15 @@
 //! A cell grid that owns its storage inline: for a `static`, with RAM known when the program is compiled.
 
 use super::cell_grid::{self, CellGrid};
-use super::{CellLayout, Index};
+use super::{CellLayout, Index, Space};
 use crate::{Error, Scalar};
 
-/// Storage for a [`CellGrid`] of at most STARTS − 1 cells and CAP samples; `size_of` says the RAM.
+/// Storage for a [`CellGrid`] of at most STARTS − 1 cells and CAP samples; [`BYTES`](Self::BYTES) says the RAM.
 ///
 /// ```
 /// use sph_core::{CellLayout, InlineCellGrid, Neighbours};
 /// // 8 × 8 cells, up to 200 samples, one byte an index
-/// const RAM: usize = size_of::<InlineCellGrid<u8, 65, 200>>();
+/// const RAM: usize = InlineCellGrid::<u8, 65, 200>::BYTES;
 /// assert_eq!(RAM, 65 + 200);
 ///
 /// let mut storage = InlineCellGrid::<u8, 65, 200>::new();
@@ -27,6 +27,9 @@ pub struct InlineCellGrid<I, const STARTS: usize, const CAP: usize> {
 }
 
 impl<I: Index, const STARTS: usize, const CAP: usize> InlineCellGrid<I, STARTS, CAP> {
+    /// The bytes of RAM that it takes.
+    pub const BYTES: usize = size_of::<Self>();
+
     /// Empty storage.
     pub const fn new() -> Self {
         Self { starts: [I::ZERO; STARTS], entries: [I::ZERO; CAP] }
@@ -36,11 +39,11 @@ impl<I: Index, const STARTS: usize, const CAP: usize> InlineCellGrid<I, STARTS, 
     ///
     /// # Errors
     /// As [`CellGrid::build`].
-    pub fn build<'a, T: Scalar, const D: usize>(
+    pub fn build<'a, T: Scalar, const D: usize, S: Space<T, D>>(
         &'a mut self,
-        layout: CellLayout<T, D>,
+        layout: CellLayout<T, D, S>,
         positions: &'a [[T; D]],
-    ) -> Result<CellGrid<'a, T, I, D>, Error> {
+    ) -> Result<CellGrid<'a, T, I, D, S>, Error> {
         cell_grid::sort(&layout, positions, &mut self.starts, &mut self.entries)?;
         Ok(CellGrid::from_sorted(layout, positions, &self.starts, &self.entries))
     }

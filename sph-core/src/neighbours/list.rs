@@ -23,6 +23,9 @@ pub struct NeighbourList<const CAP: usize, I: Index = u16> {
 }
 
 impl<const CAP: usize, I: Index> NeighbourList<CAP, I> {
+    /// The bytes of RAM that it takes.
+    pub const BYTES: usize = size_of::<Self>();
+
     /// The empty list.
     pub const fn new() -> Self {
         Self { indices: heapless::Vec::new() }

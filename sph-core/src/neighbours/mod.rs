@@ -20,7 +20,7 @@ mod index;
 mod inline_grid;
 mod list;
 
-pub use axis::{Axis, Domain};
+pub use axis::{Axis, Domain, Open, Space};
 pub use brute_force::BruteForce;
 pub use cell_grid::CellGrid;
 pub use cell_layout::CellLayout;

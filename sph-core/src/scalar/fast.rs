@@ -14,7 +14,7 @@
 //! floating point, and nothing is saved with it. A Newton step for the root costs 708 instructions on the M0. A sum that
 //! needs r² alone needs no root at all.
 
-use super::{Accumulator, Arithmetic, Scalar};
+use super::{Accumulator, Arithmetic, Scalar, Table};
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 use micromath::F32Ext;
 
@@ -147,6 +147,17 @@ impl Scalar for Fast32 {
     #[inline(always)]
     fn canonical_bits(self) -> u64 {
         self.0.canonical_bits()
+    }
+
+    #[inline(always)]
+    fn split(self, bits: u32) -> (usize, Self) {
+        let (index, rest) = self.0.split(bits);
+        (index, Self(rest))
+    }
+
+    #[inline(always)]
+    fn constant<C: Table<ROWS, N>, const ROWS: usize, const N: usize>(row: usize, i: usize) -> Option<Self> {
+        f32::constant::<C, ROWS, N>(row, i).map(Self)
     }
 }
 

@@ -1,7 +1,7 @@
 //! f32 and f64 with libm's correctly rounded square root, so that a target without a floating-point unit gives the same
 //! bits as one with it.
 
-use super::{Accumulator, Arithmetic, Scalar};
+use super::{Accumulator, Arithmetic, Scalar, Table};
 
 macro_rules! float {
     ($Float:ident, $sqrt:path) => {
@@ -56,6 +56,30 @@ macro_rules! float {
             fn floor_to_i32(self) -> i32 {
                 let truncated = self as i32;
                 truncated.saturating_sub((self < truncated as Self) as i32)
+            }
+
+            #[inline(always)]
+            fn split(self, bits: u32) -> (usize, Self) {
+                let scaled = self * 1_u32.wrapping_shl(bits) as Self;
+                let whole = scaled as i32;
+                (whole as usize, scaled - whole as Self)
+            }
+
+            #[inline(always)]
+            fn constant<C: Table<ROWS, N>, const ROWS: usize, const N: usize>(
+                row: usize,
+                i: usize,
+            ) -> Option<Self> {
+                let table: &'static [[Self; N]; ROWS] = const {
+                    let mut table = [[0.0; N]; ROWS];
+                    let mut i = 0;
+                    while i < ROWS * N {
+                        table[i / N][i % N] = C::VALUES[i / N][i % N] as Self;
+                        i += 1;
+                    }
+                    &{ table }
+                };
+                table.get(row)?.get(i).copied()
             }
 
             #[inline(always)]

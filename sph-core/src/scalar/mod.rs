@@ -100,6 +100,21 @@ pub trait Scalar: Arithmetic + PartialOrd + Default + Debug + Send + Sync + 'sta
     /// Bits to compare and hash by: −0 as 0, every NaN alike.
     fn canonical_bits(self) -> u64;
 
+    /// ⌊2^`bits` x⌋ and what is left, 2^`bits` x − ⌊2^`bits` x⌋, for 0 ≤ x: a place in a table, and where behind it. `bits`
+    /// is at most 12; another one, and x < 0, give a place that is meaningless.
+    #[inline(always)]
+    fn split(self, bits: u32) -> (usize, Self) {
+        let scaled = self.times(1_i32.wrapping_shl(bits));
+        let whole = scaled.floor_to_i32();
+        (whole as usize, scaled - Self::ratio(whole, 1))
+    }
+
+    /// Number i of a table's row in this type; the types of this crate convert it when the program is compiled.
+    #[inline(always)]
+    fn constant<C: Table<ROWS, N>, const ROWS: usize, const N: usize>(row: usize, i: usize) -> Option<Self> {
+        C::VALUES.get(row)?.get(i).copied().map(Self::from_f64)
+    }
+
     /// Whether x > 0; false for NaN.
     #[inline(always)]
     fn is_above_zero(self) -> bool {
@@ -123,6 +138,12 @@ pub trait Scalar: Arithmetic + PartialOrd + Default + Debug + Send + Sync + 'sta
     fn max(self, other: Self) -> Self {
         if self > other { self } else { other }
     }
+}
+
+/// Numbers that are known when the program is compiled.
+pub trait Table<const ROWS: usize, const N: usize> {
+    /// The numbers, from −1 to 1.
+    const VALUES: [[f64; N]; ROWS];
 }
 
 /// A running sum of many terms.

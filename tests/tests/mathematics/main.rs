@@ -11,6 +11,8 @@ mod exactness;
 mod fixed_point;
 mod influence;
 mod operators;
+mod small_scalars;
+mod tabulated;
 
 /// Runs a generic expression for each of the eight kernels that can make a density.
 macro_rules! each_kernel {

@@ -13,7 +13,7 @@ pub(super) enum Units {
 
 /// IEEE 754 binary64: (−1)^sign · significand · 2^(exponent − 1075), whose top bit is hidden. Zero and the
 /// subnormals have none, and are far below half a unit with it or without.
-pub(super) fn units(value: f64, fraction_bits: u32) -> Units {
+pub(super) const fn units(value: f64, fraction_bits: u32) -> Units {
     const SIGNIFICAND_BITS: u32 = 52;
     let bits = value.to_bits();
     let negative = bits >> 63 == 1;
@@ -22,23 +22,35 @@ pub(super) fn units(value: f64, fraction_bits: u32) -> Units {
     if exponent == 0x7ff && fraction != 0 {
         return Units::Undefined;
     }
-    let signed = |magnitude: u64| {
-        let magnitude = magnitude as i64;
-        if negative { magnitude.wrapping_neg() } else { magnitude }
-    };
     let significand = 1 << SIGNIFICAND_BITS | fraction;
     let left = exponent.wrapping_add(fraction_bits).wrapping_sub(1075) as i32;
     match left {
         11.. => {
-            let low_bits = signed(significand.checked_shl(left as u32).unwrap_or(0));
-            Units::Beyond { negative, low_bits }
+            let magnitude = match significand.checked_shl(left as u32) {
+                Some(magnitude) => magnitude,
+                None => 0,
+            };
+            Units::Beyond { negative, low_bits: signed(negative, magnitude) }
         }
-        0..11 => Units::Exact(signed(significand.wrapping_shl(left as u32))),
+        0..11 => Units::Exact(signed(negative, significand.wrapping_shl(left as u32))),
         -54..0 => {
             let right = left.unsigned_abs();
             let half = 1u64.wrapping_shl(right.wrapping_sub(1));
-            Units::Exact(signed(significand.wrapping_add(half).wrapping_shr(right)))
+            Units::Exact(signed(negative, significand.wrapping_add(half).wrapping_shr(right)))
         }
         _ => Units::Exact(0),
+    }
+}
+
+const fn signed(negative: bool, magnitude: u64) -> i64 {
+    let magnitude = magnitude as i64;
+    if negative { magnitude.wrapping_neg() } else { magnitude }
+}
+
+/// The units of a number that is known to be within ±1: a table's entry.
+pub(super) const fn literal(value: f64, fraction_bits: u32) -> i64 {
+    match units(value, fraction_bits) {
+        Units::Exact(count) if value >= -1.0 && value <= 1.0 => count,
+        _ => panic!("the entries of a table lie within -1 and 1"),
     }
 }

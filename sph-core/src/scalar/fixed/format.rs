@@ -1,6 +1,7 @@
 //! The formats: how many bits stand before the binary point and how many behind it.
 
-use super::{Fixed, Sealed, Word};
+use super::{Fixed, Sealed, Word, binary64};
+use crate::scalar::Table;
 use core::fmt::{Debug, Display};
 
 pub use ::fixed::types::{I4F12, I4F28, I8F24, I12F20, I16F16, I16F48, I20F12, I32F32};
@@ -11,6 +12,8 @@ pub trait Format: ::fixed::traits::FixedSigned<Bits: Word> + Debug + Display + S
     const ONE: Self;
     /// One unit below the largest number.
     const BELOW_MAX: Self;
+    /// Number i of a table's row, rounded to nearest when the program is compiled.
+    fn constant<C: Table<ROWS, N>, const ROWS: usize, const N: usize>(row: usize, i: usize) -> Option<Self>;
     /// The names of the saturating, the wrapping and the checked scalar.
     const NAMES: [&'static str; 3];
 }
@@ -24,6 +27,23 @@ macro_rules! formats {
             const BELOW_MAX: Self = Self::from_bits(Self::MAX.to_bits() - 1);
             const NAMES: [&'static str; 3] =
                 [$name, concat!("wrapping-", $name), concat!("checked-", $name)];
+
+            #[inline(always)]
+            fn constant<C: Table<ROWS, N>, const ROWS: usize, const N: usize>(
+                row: usize,
+                i: usize,
+            ) -> Option<Self> {
+                let table: &'static [[Self; N]; ROWS] = const {
+                    let mut table = [[Self::ZERO; N]; ROWS];
+                    let mut i = 0;
+                    while i < ROWS * N {
+                        table[i / N][i % N] = Self::from_bits(binary64::literal(C::VALUES[i / N][i % N], Self::FRAC_NBITS) as _);
+                        i += 1;
+                    }
+                    &{ table }
+                };
+                table.get(row)?.get(i).copied()
+            }
         }
 
         impl<O> From<Fixed<$Format, O>> for $Format {

@@ -52,8 +52,10 @@ mod word;
 #[cfg(test)]
 mod tests;
 
+use crate::scalar::Table;
 use crate::{Arithmetic, Scalar};
 use binary64::Units;
+use core::cmp::Ordering;
 use core::marker::PhantomData;
 pub use format::{Format, I4F12, I4F28, I8F24, I12F20, I16F16, I16F48, I20F12, I32F32};
 pub use mode::{Check, Overflow, Saturate, Wide, Wrap};
@@ -117,13 +119,13 @@ impl<F: Format, O: Overflow> Fixed<F, O> {
         Self::new(O::narrow(wide))
     }
 
+    /// The quotient, or where there is none what the sign of the numerator says.
     #[inline(always)]
-    fn quotient(numerator: Wide<F>, denominator: Wide<F>) -> Self {
-        let zero = Wide::<F>::from(0);
-        match F::Bits::quotient(numerator, denominator) {
+    fn quotient(quotient: Option<Wide<F>>, numerator: Ordering) -> Self {
+        match quotient {
             Some(quotient) => Self::narrow(quotient),
-            None if numerator == zero => Self::new(O::undefined()),
-            None => Self::new(O::beyond(numerator < zero, 0)),
+            None if numerator.is_eq() => Self::new(O::undefined()),
+            None => Self::new(O::beyond(numerator.is_lt(), 0)),
         }
     }
 
@@ -153,7 +155,8 @@ impl<F: Format, O: Overflow> Arithmetic for Fixed<F, O> {
 
     #[inline(always)]
     fn ratio(numerator: i32, denominator: i32) -> Self {
-        Self::quotient(F::Bits::shifted(numerator.into(), F::FRAC_NBITS), denominator.into())
+        let shifted = F::Bits::shifted(numerator.into(), F::FRAC_NBITS);
+        Self::quotient(F::Bits::quotient(shifted, denominator.into()), numerator.cmp(&0))
     }
 
     #[inline(always)]
@@ -210,5 +213,16 @@ impl<F: Format, O: Overflow> Scalar for Fixed<F, O> {
     #[inline(always)]
     fn canonical_bits(self) -> u64 {
         self.to_bits().bits()
+    }
+
+    #[inline(always)]
+    fn split(self, bits: u32) -> (usize, Self) {
+        let (index, rest) = self.to_bits().split(F::FRAC_NBITS, bits);
+        (index, Self::from_bits(rest))
+    }
+
+    #[inline(always)]
+    fn constant<C: Table<ROWS, N>, const ROWS: usize, const N: usize>(row: usize, i: usize) -> Option<Self> {
+        F::constant::<C, ROWS, N>(row, i).map(Self::new)
     }
 }

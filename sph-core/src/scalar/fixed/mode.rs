@@ -36,15 +36,18 @@ pub trait Overflow: Copy + Default + Debug + Send + Sync + Sealed + 'static {
 /// Keep the low bits, as a processor's registers do: the fastest, and blind. [`is_finite`](crate::Scalar::is_finite)
 /// is always true; what no number is becomes 0.
 #[derive(Clone, Copy, Debug, Default)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Wrap;
 
 /// Stay at the nearest end of the range, −MAX or MAX, where `is_finite` is false. Not sticky: MAX − 1 is finite again.
 #[derive(Clone, Copy, Debug, Default)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Saturate;
 
 /// Become NaR, *not a real*: the most negative bit pattern, which every later operation keeps, which equals nothing (itself
 /// included) and is not finite. All other numbers are honest results.
 #[derive(Clone, Copy, Debug, Default)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Check;
 
 impl Sealed for Wrap {}

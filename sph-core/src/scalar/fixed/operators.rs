@@ -43,7 +43,8 @@ impl<F: Format, O: Overflow> Div for Fixed<F, O> {
         if self.is_nar() || other.is_nar() {
             return Self::new(O::undefined());
         }
-        Self::quotient(F::Bits::shifted(self.to_bits().widen(), F::FRAC_NBITS), other.to_bits().widen())
+        let quotient = self.to_bits().divided(other.to_bits(), F::FRAC_NBITS);
+        Self::quotient(quotient, self.value.cmp(&F::ZERO))
     }
 }
 

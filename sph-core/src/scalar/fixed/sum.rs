@@ -37,3 +37,11 @@ impl<F: Format, O: Overflow> Accumulator<Fixed<F, O>> for Sum<F, O> {
         Fixed::narrow(self.wide)
     }
 }
+
+/// The sum so far as [`Accumulator::total`] gives it.
+#[cfg(feature = "defmt")]
+impl<F: Format, O: Overflow> defmt::Format for Sum<F, O> {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        defmt::write!(f, "{}", Accumulator::<Fixed<F, O>>::total(*self));
+    }
+}

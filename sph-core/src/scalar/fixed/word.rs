@@ -23,12 +23,16 @@ pub trait Word: Copy + Ord + super::Sealed + 'static {
     fn scaled(self, n: i32) -> Self::Wide;
     /// The product over 2^`bits`, rounded; `bits` is at least 1.
     fn product(self, other: Self, bits: u32) -> Self::Wide;
+    /// 2^`bits` self / divisor, rounded; None for a divisor of 0.
+    fn divided(self, divisor: Self, bits: u32) -> Option<Self::Wide>;
     /// The quotient, rounded; None for a divisor of 0.
     fn quotient(numerator: Self::Wide, denominator: Self::Wide) -> Option<Self::Wide>;
     /// √(2^`bits` self), rounded to nearest; 0 for a negative word.
     fn root(self, bits: u32) -> Self;
     /// ⌊self / 2^`bits`⌋, held at the ends of `i32`.
     fn floor(self, bits: u32) -> i32;
+    /// ⌊2^`to` self / 2^`from`⌋ and the rest in units of 2^−`from`, for self ≥ 0.
+    fn split(self, from: u32, to: u32) -> (usize, Self);
     /// max(0, self) without a branch; `keep_min` lets the most negative word pass as it is.
     fn positive_part(self, keep_min: bool) -> Self;
     /// The low bits of a wide integer.
@@ -89,6 +93,15 @@ macro_rules! word {
             }
 
             #[inline(always)]
+            fn divided(self, divisor: Self, bits: u32) -> Option<$Wide> {
+                let dividend = (self.unsigned_abs() as $UnsignedDouble).wrapping_shl(bits);
+                let half = (divisor.unsigned_abs() >> 1) as $UnsignedDouble;
+                let rounded = dividend.wrapping_add(half).checked_div(divisor.unsigned_abs().into())?;
+                let rounded = <$Wide>::from(rounded as $Double);
+                Some(if (self < 0) == (divisor < 0) { rounded } else { rounded.wrapping_neg() })
+            }
+
+            #[inline(always)]
             fn quotient(numerator: $Wide, denominator: $Wide) -> Option<$Wide> {
                 let divisor = denominator.unsigned_abs();
                 let rounded =
@@ -107,6 +120,13 @@ macro_rules! word {
             #[inline(always)]
             fn floor(self, bits: u32) -> i32 {
                 i64::from(self.wrapping_shr(bits)).clamp(i32::MIN.into(), i32::MAX.into()) as i32
+            }
+
+            #[inline(always)]
+            fn split(self, from: u32, to: u32) -> (usize, Self) {
+                let below = from.saturating_sub(to);
+                let rest = self & !<$Word>::MIN.wrapping_shr(Self::BITS.wrapping_sub(1).wrapping_sub(below));
+                (self.wrapping_shr(below) as usize, rest.wrapping_shl(to))
             }
 
             #[inline(always)]

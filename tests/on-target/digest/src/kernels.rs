@@ -2,8 +2,8 @@
 
 use crate::{Fnv, Item, Scene};
 use sph_core::kernel::{
-    CubicSpline, Kernel, Poly6, QuarticSpline, QuinticSpline, Spiky, ViscosityLaplacian, WendlandC2,
-    WendlandC4, WendlandC6,
+    CubicSpline, Kernel, Poly6, QuarticSpline, QuinticSpline, Spiky, Tabulated, ViscosityLaplacian,
+    WendlandC2, WendlandC4, WendlandC6,
 };
 use sph_core::{Error, Influence, KernelInfluence, Scalar, ball};
 
@@ -19,6 +19,7 @@ pub(crate) fn digest<T: Scalar, const D: usize>(emit: &mut impl FnMut(Item)) -> 
     emit(of::<T, D, WendlandC2>("wendland-c2")?);
     emit(of::<T, D, WendlandC4>("wendland-c4")?);
     emit(of::<T, D, WendlandC6>("wendland-c6")?);
+    emit(of::<T, D, Tabulated<WendlandC2, 65>>("wendland-c2-table")?);
     emit(laplacian::<T, D>()?);
     Ok(())
 }

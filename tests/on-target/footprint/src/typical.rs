@@ -1,8 +1,8 @@
-//! Typical uses in two dimensions with Wendland's C2 kernel: a frame's worth of work on storage of fixed size.
+//! Typical uses in two dimensions, in open space: a frame's worth of work on storage of fixed size.
 
 use core::hint::black_box;
 use sph_core::field::volumes;
-use sph_core::kernel::WendlandC2;
+use sph_core::kernel::Kernel;
 use sph_core::{
     BruteForce, CellLayout, Error, Field, InlineCellGrid, KernelInfluence, Neighbours, Scalar, Sources,
     Uniform,
@@ -55,10 +55,10 @@ impl<T: Scalar> Gridded<T> {
 ///
 /// # Errors
 /// As the constructors of sph-core.
-pub fn density<T: Scalar>(storage: &mut Gridded<T>) -> Result<(), Error> {
+pub fn density<T: Scalar, K: Kernel>(storage: &mut Gridded<T>) -> Result<(), Error> {
     let Gridded { samples: Samples { positions, density, .. }, grid } = storage;
-    let w = KernelInfluence::<T, 2, WendlandC2>::new(black_box(T::ONE))?;
-    let search = grid.build(CellLayout::unbounded(T::ONE, [8, 8])?, positions)?;
+    let w = KernelInfluence::<T, 2, K>::new(black_box(T::ONE))?;
+    let search = grid.build(CellLayout::unbounded(T::ONE, [8, 8])?.open(), positions)?;
     Sources::new(search, Uniform(black_box(T::ONE)))?.density(&w, density)
 }
 
@@ -66,29 +66,29 @@ pub fn density<T: Scalar>(storage: &mut Gridded<T>) -> Result<(), Error> {
 ///
 /// # Errors
 /// As the constructors of sph-core.
-pub fn fields<T: Scalar>(storage: &mut Gridded<T>) -> Result<(), Error> {
+pub fn fields<T: Scalar, K: Kernel>(storage: &mut Gridded<T>) -> Result<(), Error> {
     let Gridded { samples: Samples { positions, density, volumes, values, gradient }, grid } = storage;
-    let search = grid.build(CellLayout::unbounded(T::ONE, [8, 8])?, positions)?;
-    with(search, density, volumes, values, gradient)
+    let search = grid.build(CellLayout::unbounded(T::ONE, [8, 8])?.open(), positions)?;
+    with::<T, K>(search, density, volumes, values, gradient)
 }
 
 /// The same without a grid.
 ///
 /// # Errors
 /// As the constructors of sph-core.
-pub fn fields_brute<T: Scalar>(storage: &mut Brute<T>) -> Result<(), Error> {
+pub fn fields_brute<T: Scalar, K: Kernel>(storage: &mut Brute<T>) -> Result<(), Error> {
     let Samples { positions, density, volumes, values, gradient } = storage;
-    with(BruteForce::new(positions)?, density, volumes, values, gradient)
+    with::<T, K>(BruteForce::open(positions)?, density, volumes, values, gradient)
 }
 
-fn with<T: Scalar>(
+fn with<T: Scalar, K: Kernel>(
     search: impl Neighbours<T, 2> + Copy,
     density: &mut [T],
     volume: &mut [T; SAMPLES],
     values: &mut [T; SAMPLES],
     gradient: &mut [[T; 2]],
 ) -> Result<(), Error> {
-    let w = KernelInfluence::<T, 2, WendlandC2>::new(black_box(T::ONE))?;
+    let w = KernelInfluence::<T, 2, K>::new(black_box(T::ONE))?;
     let mass = Uniform(black_box(T::ONE));
     Sources::new(search, mass)?.density(&w, density)?;
     volumes(mass, density, volume)?;

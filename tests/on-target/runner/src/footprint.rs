@@ -6,7 +6,8 @@ use crate::table;
 use crate::target::{M0, M4F, RV32, TARGETS, Target};
 use anyhow::{Context, Result, ensure};
 
-const USES: [&str; 5] = ["density", "fields", "fields_brute", "fixed", "fixed_brute"];
+const USES: [&str; 8] =
+    ["density", "fields", "fields_poly6", "fields_brute", "fixed", "fixed_brute", "fixed16", "fixed16_brute"];
 
 /// Measures and compares with the table, or replaces it; true when no row has grown.
 pub(crate) fn check(update: bool) -> Result<bool> {

@@ -21,7 +21,8 @@ const M3: Target = Target { triple: "thumbv7m-none-eabi", machine: "lm3s6965evb"
 /// Cortex-M4 with single-precision floating point.
 pub(crate) const M4F: Target = Target { triple: "thumbv7em-none-eabihf", machine: "mps2-an386", debug: true };
 /// Cortex-M33 with single-precision floating point.
-const M33: Target = Target { triple: "thumbv8m.main-none-eabihf", machine: "mps2-an505", debug: false };
+pub(crate) const M33: Target =
+    Target { triple: "thumbv8m.main-none-eabihf", machine: "mps2-an505", debug: false };
 /// RISC-V with multiplication, without floating point.
 pub(crate) const RV32: Target =
     Target { triple: "riscv32imc-unknown-none-elf", machine: "virt", debug: true };

@@ -6,23 +6,27 @@
 use core::hint::black_box;
 use fluisim_firmware::{clock, entry, exit};
 use sph_core::kernel::{
-    CubicSpline, Kernel, Poly6, QuarticSpline, QuinticSpline, Spiky, WendlandC2, WendlandC4, WendlandC6,
+    CubicSpline, Kernel, Poly6, QuarticSpline, QuinticSpline, Spiky, Tabulated, WendlandC2, WendlandC4,
+    WendlandC6,
 };
-use sph_core::scalar::fixed::{I16F16, Saturating, Wrapping};
+use sph_core::scalar::fixed::{I4F12, I16F16, Saturating, Wrapping};
 use sph_core::{
-    CellGrid, CellLayout, Error, Field, InlineCellGrid, KernelInfluence, Neighbours, Scalar, Sources, Uniform,
+    CellGrid, CellLayout, Error, Field, InlineCellGrid, KernelInfluence, Neighbours, Open, Scalar, Sources,
+    Uniform,
 };
 
 const SAMPLES: usize = 64;
 
-type Grid<'a, T> = CellGrid<'a, T, u8, 2>;
+type Grid<'a, T> = CellGrid<'a, T, u8, 2, Open>;
 
 #[entry]
 fn main() -> ! {
     clock::start();
     let counted = in_scalar::<f32>("f32")
         .and_then(|()| in_scalar::<Saturating<I16F16>>("saturating i16f16"))
-        .and_then(|()| in_scalar::<Wrapping<I16F16>>("wrapping i16f16"));
+        .and_then(|()| in_scalar::<Wrapping<I16F16>>("wrapping i16f16"))
+        .and_then(|()| in_16_bits::<Saturating<I4F12>>("saturating i4f12"))
+        .and_then(|()| in_16_bits::<Wrapping<I4F12>>("wrapping i4f12"));
     exit(counted.is_ok())
 }
 
@@ -35,6 +39,15 @@ fn in_scalar<T: Scalar>(scalar: &str) -> Result<(), Error> {
     of_kernel::<T, WendlandC2>(scalar, "wendland c2")?;
     of_kernel::<T, WendlandC4>(scalar, "wendland c4")?;
     of_kernel::<T, WendlandC6>(scalar, "wendland c6")?;
+    of_kernel::<T, Tabulated<WendlandC2, 65>>(scalar, "table of wendland c2")?;
+    of_grid::<T>(scalar)
+}
+
+/// The kernels whose constants are in the range of 16 bits.
+fn in_16_bits<T: Scalar>(scalar: &str) -> Result<(), Error> {
+    of_kernel::<T, Poly6>(scalar, "poly6")?;
+    of_kernel::<T, WendlandC2>(scalar, "wendland c2")?;
+    of_kernel::<T, Tabulated<WendlandC2, 65>>(scalar, "table of wendland c2")?;
     of_grid::<T>(scalar)
 }
 
@@ -50,7 +63,7 @@ fn a_pair<T: Scalar>(
     let x = [T::ratio(3, 5), T::ratio(1, 2)];
     let taken = |positions: &[[T; 2]]| {
         let mut storage = InlineCellGrid::<u8, 17, SAMPLES>::new();
-        let grid = storage.build(CellLayout::unbounded(T::ONE, [4, 4])?, positions)?;
+        let grid = storage.build(CellLayout::unbounded(T::ONE, [4, 4])?.open(), positions)?;
         work(grid, &x)?;
         Ok(clock::tenths(|| {
             let _ = black_box(work(grid, black_box(&x)));
@@ -70,8 +83,11 @@ fn of_kernel<T: Scalar, K: Kernel>(scalar: &str, kernel: &str) -> Result<(), Err
         let [x, y] = Field::new(&sources, Uniform(T::ratio(3, 2)))?.gradient_at(w, x);
         Ok(x + y)
     };
+    let equal =
+        |grid: Grid<'_, T>, x: &[T; 2]| Ok(Sources::new(grid, Uniform(T::ONE))?.equal_density_at(w, x));
     row(scalar, kernel, "density of a pair out of reach", a_pair(&far, density)?);
     row(scalar, kernel, "density of a pair in reach", a_pair(&near, density)?);
+    row(scalar, kernel, "density of equal masses of a pair in reach", a_pair(&near, equal)?);
     row(scalar, kernel, "gradient of a pair in reach", a_pair(&near, gradient)?);
     Ok(())
 }
@@ -81,7 +97,7 @@ fn of_grid<T: Scalar>(scalar: &str) -> Result<(), Error> {
     let positions: [[T; 2]; SAMPLES] =
         core::array::from_fn(|i| [T::ratio((i % 8) as i32, 2), T::ratio((i / 8) as i32, 2)]);
     let mut storage = InlineCellGrid::<u8, 17, SAMPLES>::new();
-    let layout = CellLayout::unbounded(T::ONE, [4, 4])?;
+    let layout = CellLayout::unbounded(T::ONE, [4, 4])?.open();
     let build = clock::tenths(|| {
         black_box(storage.build(layout, black_box(&positions)).is_ok());
     });

@@ -3,5 +3,9 @@
 #![no_main]
 
 use fluisim_footprint::typical::{self, Gridded};
+use sph_core::kernel::WendlandC2;
 
-fluisim_footprint::firmware!(Gridded<f32>, typical::density);
+type T = f32;
+type K = WendlandC2;
+
+fluisim_footprint::firmware!(Gridded<T>, typical::density::<T, K>);

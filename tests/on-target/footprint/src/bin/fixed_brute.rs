@@ -1,8 +1,12 @@
-//! Density, interpolation and gradient in fixed point, without a grid.
+//! Density, interpolation and gradient in 32-bit fixed point, without a grid.
 #![no_std]
 #![no_main]
 
 use fluisim_footprint::typical::{self, Brute};
+use sph_core::kernel::WendlandC2;
 use sph_core::scalar::fixed::{I16F16, Saturating};
 
-fluisim_footprint::firmware!(Brute<Saturating<I16F16>>, typical::fields_brute);
+type T = Saturating<I16F16>;
+type K = WendlandC2;
+
+fluisim_footprint::firmware!(Brute<T>, typical::fields_brute::<T, K>);

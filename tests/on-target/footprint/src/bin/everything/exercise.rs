@@ -5,9 +5,10 @@ use core::hint::black_box;
 use sph_core::field::{self, volumes};
 use sph_core::influence::volume;
 use sph_core::kernel::{
-    self, CubicSpline, Kernel, Poly6, QuarticSpline, QuinticSpline, Spiky, Term, Viscosity,
+    self, CubicSpline, Kernel, Poly6, QuarticSpline, QuinticSpline, Spiky, Tabulated, Term, Viscosity,
     ViscosityLaplacian, WendlandC2, WendlandC4, WendlandC6, conformance,
 };
+use sph_core::scalar::Table;
 use sph_core::scalar::fast::Fast32;
 use sph_core::scalar::fixed::{Checked, I4F12, I8F24, I16F16, Saturating, Wrapping};
 use sph_core::{
@@ -106,7 +107,11 @@ impl Inputs {
             x.max(y),
         ));
         keep((x + y, x - y, x * y, x / y, -x, x.times(n as i32), x.positive_part(), x.pow::<5>(), x < y));
-        keep(T::ratio(n as i32, self.integer(1) as i32));
+        keep((
+            T::ratio(n as i32, self.integer(1) as i32),
+            x.split(n),
+            T::constant::<Thirds, 1, 2>(0, n as usize),
+        ));
         keep(difference::nth(|x: T| x * y, n, x, y));
         keep(difference::nth_auto(|x: T| x * y, n, x));
         keep((difference::step_for::<T>(n, x), difference::relative_step::<T>(n)));
@@ -138,6 +143,7 @@ impl Inputs {
         self.influence(KernelInfluence::<T, D, WendlandC2>::new(h)?);
         self.influence(KernelInfluence::<T, D, WendlandC4>::new(h)?);
         self.influence(KernelInfluence::<T, D, WendlandC6>::new(h)?);
+        self.influence(KernelInfluence::<T, D, Tabulated<WendlandC2, 17>>::new(h)?);
         keep(KernelInfluence::<T, D, Viscosity>::new(h).is_ok());
         keep(KernelInfluence::<T, D, Poly6>::new(h)?.normalisation());
         self.influence(ClosureInfluence::<T, D, _>::new(h, |h: T, r: T| h - r)?);
@@ -151,6 +157,7 @@ impl Inputs {
         let [x, ..] = self.vectors::<T, D>();
         let r2 = self.number(1);
         keep((w.influence(r2), w.gradient(&x, r2), w.both(&x, r2), w.influence_at(&x), w.gradient_at(&x)));
+        keep((w.shape(r2), w.constant()));
         keep(((&&w).of(0).map(|w| w.support_radius()), (&w).reach()));
     }
 
@@ -162,6 +169,7 @@ impl Inputs {
         keep((domain.wrap(&[lower; D]), domain.axes().contains(&Axis::Open)));
         self.sums(BruteForce::new(positions)?)?;
         self.sums(BruteForce::in_domain(positions, domain)?)?;
+        self.sums(BruteForce::open(positions)?)?;
 
         let counts = [self.integer(1); D];
         let (mut starts, mut entries) = ([0_u16; 65], [0_u16; SAMPLES]);
@@ -174,6 +182,7 @@ impl Inputs {
         self.sums(grid)?;
         let mut storage = InlineCellGrid::<u8, 65, SAMPLES>::default();
         let layout = CellLayout::unbounded(lower, counts)?;
+        self.sums(storage.build(layout.open(), positions)?)?;
         self.all_sums(storage.build(layout.periodic(self.integer(0) as usize, lower, upper)?, positions)?)
     }
 
@@ -183,7 +192,8 @@ impl Inputs {
         let list: NeighbourList<4, u8> = search.list(&x, radius)?;
         keep((list.as_slice().first().copied(), list.iter().last(), list.len(), list.is_empty()));
         let sources = Sources::new(search, Uniform(radius))?;
-        keep(sources.density_at(&KernelInfluence::<T, D, CubicSpline>::new(radius)?, &x));
+        let w = KernelInfluence::<T, D, CubicSpline>::new(radius)?;
+        keep((sources.density_at(&w, &x), sources.equal_density_at(&w, &x)));
         Ok(())
     }
 
@@ -252,6 +262,13 @@ fn kernels(dim: u32, n: u32, h: f64) {
     one::<WendlandC2>(dim, n, h);
     one::<WendlandC4>(dim, n, h);
     one::<WendlandC6>(dim, n, h);
+}
+
+/// A table.
+struct Thirds;
+
+impl Table<1, 2> for Thirds {
+    const VALUES: [[f64; 2]; 1] = [[1.0 / 3.0, 2.0 / 3.0]];
 }
 
 /// Takes text and drops it.

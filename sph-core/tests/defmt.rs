@@ -1,0 +1,82 @@
+//! Every public type can be logged under the feature `defmt`: compiled, not run.
+
+#![cfg(feature = "defmt")]
+
+use sph_core::field::{LinearBasis, LinearFit};
+use sph_core::kernel::conformance::{Law, Violation};
+use sph_core::kernel::{
+    CubicSpline, Poly6, QuarticSpline, QuinticSpline, Spiky, Tabulated, Term, Viscosity, ViscosityLaplacian,
+    WendlandC2, WendlandC4, WendlandC6,
+};
+use sph_core::{
+    Axis, BruteForce, CellGrid, CellLayout, ClosureInfluence, Domain, Error, Field, InlineCellGrid,
+    KernelInfluence, Neighbour, NeighbourList, Open, Parameter, PerSampleInfluence, Sources, Uniform,
+};
+
+type T = f32;
+type Search = BruteForce<'static, T, 2>;
+
+macro_rules! can_be_logged {
+    ($($Type:ty),+ $(,)?) => {
+        const _: () = {
+            const fn formats<F: defmt::Format>() {}
+            $(formats::<$Type>();)+
+        };
+    };
+}
+
+can_be_logged!(
+    Error,
+    Parameter,
+    Law,
+    Violation,
+    Term,
+    Poly6,
+    Spiky,
+    Viscosity,
+    ViscosityLaplacian<T, 2>,
+    CubicSpline,
+    QuarticSpline,
+    QuinticSpline,
+    WendlandC2,
+    WendlandC4,
+    WendlandC6,
+    Tabulated<WendlandC2, 65>,
+    KernelInfluence<T, 2, WendlandC2>,
+    PerSampleInfluence<'static, T, 2, WendlandC2>,
+    ClosureInfluence<T, 2, fn(T, T) -> T>,
+    Axis<T>,
+    Domain<T, 2>,
+    Open,
+    CellLayout<T, 2>,
+    CellLayout<T, 2, Open>,
+    Search,
+    CellGrid<'static, T, u8, 2>,
+    CellGrid<'static, T, u8, 2, Open>,
+    InlineCellGrid<u8, 65, 64>,
+    Neighbour<T, 2>,
+    NeighbourList<16, u8>,
+    Uniform<T>,
+    Sources<T, 2, Search, Uniform<T>>,
+    Field<'static, T, 2, Search, Uniform<T>, Uniform<T>>,
+    LinearBasis<T, 2>,
+    LinearFit<T, 2>,
+);
+
+#[cfg(feature = "fixed")]
+mod fixed_point {
+    use sph_core::scalar::fixed::{Check, Checked, I16F16, Saturate, Saturating, Sum, Wrap, Wrapping};
+
+    can_be_logged!(
+        Wrap,
+        Saturate,
+        Check,
+        Wrapping<I16F16>,
+        Saturating<I16F16>,
+        Checked<I16F16>,
+        Sum<I16F16, Check>,
+    );
+}
+
+#[cfg(feature = "micromath")]
+can_be_logged!(sph_core::scalar::fast::Fast32);
