@@ -3,7 +3,7 @@
 use sph_core::kernel::Poly6;
 use sph_core::scalar::fast::Fast32;
 use sph_core::scalar::fixed::{I4F12, I8F24, I16F16, Saturating, Wrapping};
-use sph_core::{BruteForce, Field, KernelInfluence, Scalar, Sources, Uniform};
+use sph_core::{CellLayout, Field, InlineCellGrid, KernelInfluence, Scalar, Sources, Uniform};
 
 /// 8 by 8 samples about a spacing of h/2, mass 1/4: density near 1 inside.
 fn positions() -> Vec<[f64; 2]> {
@@ -15,7 +15,12 @@ fn positions() -> Vec<[f64; 2]> {
 fn compute<T: Scalar>() -> Vec<(f64, [f64; 2])> {
     let positions: Vec<[T; 2]> = positions().iter().map(|x| x.map(T::from_f64)).collect();
     let values: Vec<T> = positions.iter().map(|x| x[0] * T::ratio(1, 8) * x[0]).collect();
-    let sources = Sources::new(BruteForce::open(&positions).unwrap(), Uniform(T::ratio(1, 4))).unwrap();
+    // 16 bits hold no square of a distance above 2.8: a grid looks only at samples within 2 along each axis
+    let mut storage = InlineCellGrid::<u8, 26, 64>::new();
+    let (lower, upper) = ([-T::ratio(1, 2); 2], [T::ratio(9, 2); 2]);
+    let layout = CellLayout::bounded(&lower, &upper, [5, 5]).unwrap().open();
+    let search = storage.build(layout, &positions).unwrap();
+    let sources = Sources::new(search, Uniform(T::ratio(1, 4))).unwrap();
     let field = Field::new(&sources, values.as_slice()).unwrap();
     let w = KernelInfluence::<T, 2, Poly6>::new(T::ONE).unwrap();
     let at = |x| (sources.equal_density_at(&w, x).to_f64(), field.gradient_at(&w, x).map(Scalar::to_f64));

@@ -23,7 +23,9 @@ pub(crate) fn check() -> Result<bool> {
                 SectionKind::Text | SectionKind::ReadOnlyData => flash += section.size(),
                 SectionKind::Data => (flash, ram) = (flash + section.size(), ram + section.size()),
                 // riscv-rt makes sections of the heap and the stack, all that is left
-                SectionKind::UninitializedData if section.name()?.starts_with(".bss") => ram += section.size(),
+                SectionKind::UninitializedData if section.name()?.starts_with(".bss") => {
+                    ram += section.size()
+                }
                 _ => {}
             }
         }

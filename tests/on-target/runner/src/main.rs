@@ -79,6 +79,9 @@ fn run(options: &Options) -> Result<bool> {
     for target in target::TARGETS {
         println!("{:<30} {}", target.triple, Toolchain::find(target.triple)?.description());
     }
+    let wasm =
+        Toolchain::find(digests::WASM).map_or("none: digests skip it".into(), |found| found.description());
+    println!("{:<30} {wasm}", digests::WASM);
     if options.update_golden {
         return digests::update().map(|()| true);
     }
