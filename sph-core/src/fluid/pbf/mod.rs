@@ -31,7 +31,7 @@ mod step;
 
 use crate::fluid::Container;
 use crate::neighbours::Index;
-use crate::scalar::compact::{Compact, Near};
+use crate::scalar::compact::{Compact, Near, Pack};
 use crate::{Arithmetic, Error, Parameter, check};
 pub use borrowed::{BorrowedFluid, Pass};
 pub use particle::Particle;
@@ -196,10 +196,9 @@ impl<T: Compact, C, I: Index, const D: usize, const CAP: usize, const CELLS: usi
         let len = self.len();
         for particle in self.particles.iter_mut().take(len) {
             let change = impulse(particle);
-            for (velocity, change) in particle.velocity.iter_mut().zip(change) {
-                *velocity =
-                    (T::Near::load(*velocity) + near_held(change, (1, 1))).held(ratio(FASTEST)).store();
-            }
+            let velocity = particle.velocity.unpack();
+            let after = |axis: usize| (velocity[axis] + near_held(change[axis], (1, 1))).held(T::Near::ONE);
+            particle.velocity = Pack::pack(core::array::from_fn(after));
         }
     }
 }
@@ -252,14 +251,14 @@ fn check_inside<T: Compact, C: Container<T, D>, const D: usize>(
     particle: &Particle<T, D>,
     index: usize,
 ) -> Result<(), Error> {
-    let size = container.size();
-    for (axis, &coordinate) in particle.position.iter().enumerate() {
+    let (size, position) = (container.size(), particle.position());
+    for (axis, &coordinate) in position.iter().enumerate() {
         check::finite(coordinate, Parameter::Position, index)?;
         if !(coordinate >= T::ZERO && coordinate <= size[axis]) {
             return Err(Error::OutsideDomain { index, axis });
         }
     }
-    if container.contains(&particle.position) { Ok(()) } else { Err(Error::OutsideDomain { index, axis: 0 }) }
+    if container.contains(&position) { Ok(()) } else { Err(Error::OutsideDomain { index, axis: 0 }) }
 }
 
 /// A literal.
