@@ -31,6 +31,8 @@ pub trait Place<T: Compact, const D: usize>: Copy + Debug + Send + Sync + 'stati
     fn new(x: &[T; D]) -> Self;
     /// The coordinates.
     fn coordinates(&self) -> [T; D];
+    /// The coordinates of `self + way`, which the scalar can hold.
+    fn moved(&self, way: &[T::Near; D]) -> [T; D];
     /// `self − origin` where that is below 2 in magnitude along each axis; any number for others.
     fn from(&self, origin: &Self) -> <T::Near as Near>::Packed<D>;
 }
@@ -127,6 +129,11 @@ macro_rules! float {
             #[inline(always)]
             fn coordinates(&self) -> Self {
                 *self
+            }
+
+            #[inline(always)]
+            fn moved(&self, way: &Self) -> Self {
+                vector::add(self, way)
             }
 
             #[inline(always)]

@@ -25,11 +25,9 @@ impl<T: Compact, C: Container<T, D>, I: Index, const D: usize> BorrowedFluid<'_,
         let acceleration = acceleration.map(|a| near_held(a, STEEPEST));
         let fastest = ratio(FASTEST);
         for (i, p) in self.particles.iter_mut().enumerate() {
-            let (from, velocity) = (p.place.coordinates(), p.velocity.unpack());
-            let to = core::array::from_fn(|axis| {
-                from[axis] + T::from_near((velocity[axis] + acceleration[axis]).held(fastest))
-            });
-            let to = self.container.confine(&from, to, gap(i));
+            let velocity = p.velocity.unpack();
+            let way = core::array::from_fn(|axis| (velocity[axis] + acceleration[axis]).held(fastest));
+            let to = self.container.confine(&p.place.coordinates(), p.place.moved(&way), gap(i));
             p.move_to(&to, Pack::ZERO);
             p.reach = self.order.cell_of(to.map(T::floor_to_i32)) as i32;
         }
@@ -42,7 +40,7 @@ impl<T: Compact, C: Container<T, D>, I: Index, const D: usize> BorrowedFluid<'_,
     /// Density, XSPH viscosity, and which pairs are in reach.
     pub(super) fn search(&mut self) {
         let (container, settings) = (self.container, self.settings);
-        let viscosity = T::Near::ratio(1, 256).times(settings.viscosity.min(128).into());
+        let viscosity = T::Near::ratio(1, 256).times(settings.viscosity.min(if D == 2 { 128 } else { 72 }).into());
         self.order.sweep(
             self.particles,
             (T::Near::ZERO, Packed::<T, D>::ZERO),
@@ -103,9 +101,9 @@ impl<T: Compact, C: Container<T, D>, I: Index, const D: usize> BorrowedFluid<'_,
                 other.push = other.push.minus(push);
             },
             |p, sum| {
-                let (from, push) = (p.place.coordinates(), sum.plus(p.push).unpack());
-                let to = core::array::from_fn(|axis| from[axis] + T::from_near(push[axis].held(limit)));
-                p.move_to(&container.confine(&from, to, gap(i)), p.velocity);
+                let way = sum.plus(p.push).unpack().map(|along| along.held(limit));
+                let to = container.confine(&p.place.coordinates(), p.place.moved(&way), gap(i));
+                p.move_to(&to, p.velocity);
                 i = i.wrapping_add(1);
                 p.push = Pack::ZERO;
             },
@@ -134,7 +132,7 @@ fn finish_density<T: Compact, C: Container<T, D>, const D: usize>(
     p.load = T::Near::STORED_ZERO;
     p.push = push;
     if let Some(wall) = wall {
-        let on_wall = pressure * ratio((8, 5));
+        let on_wall = pressure * ratio(if D == 2 { (8, 5) } else { (3, 2) });
         p.push = push.plus(Pack::pack(wall.push.map(|along| along.evenly(on_wall))));
     }
 }
