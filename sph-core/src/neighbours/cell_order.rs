@@ -85,93 +85,106 @@ impl<'a, I: Index, const D: usize> CellOrder<'a, I, D> {
         }
     }
 
-    /// Visits the particles in order: `begin`, then `pair` with every particle ahead of it in touching cells, then `finish`.
+    /// Visits the particles in order: sums that are `empty`, every particle ahead in touching cells, then `finish`.
     ///
-    /// When `finish` is called for a particle, all its pairs have been visited: those with particles before it by them. `pair`
-    /// says whether the two are in reach; `finish` receives a mask for [`revisit`](Self::revisit), bit k for the k-th
-    /// particle ahead, all bits where there are more than 31.
+    /// `near` says whether two are in reach, and what of, which `pair` then receives. When `finish` is called for a particle, all
+    /// its pairs have been visited: those with particles before it by them. It receives a mask for [`revisit`](Self::revisit), bit k for
+    /// the k-th particle ahead, all bits where there are more than 31.
     #[inline(always)]
-    pub fn sweep<P: Copy, A>(
+    pub fn sweep<P: Copy, A: Copy, X>(
         &self,
         particles: &mut [P],
-        begin: impl Fn(&P) -> A,
-        pair: impl Fn(&P, &mut A, &mut P) -> bool,
+        empty: A,
+        near: impl Fn(&P, &P) -> Option<X>,
+        pair: impl Fn(&P, &mut A, &mut P, X),
         finish: impl Fn(&mut P, A, i32),
     ) {
         self.each(particles, |particle, row, beyond| {
             let this = *particle;
-            let mut sums = begin(&this);
+            let mut sums = empty;
             let (mut reach, mut bit) = (0_i32, 1_i32);
-            let mut look = |others: &mut [P]| {
-                for other in others {
-                    if pair(&this, &mut sums, other) {
+            let (mut run, mut later) = (row, beyond.iter_mut());
+            loop {
+                for other in run.iter_mut() {
+                    if let Some(found) = near(&this, other) {
                         reach |= bit;
+                        pair(&this, &mut sums, other, found);
                     }
                     bit = bit.wrapping_shl(1);
                 }
-            };
-            look(row);
-            beyond.iter_mut().for_each(|run| look(run));
+                let Some(next) = later.next() else { break };
+                run = next;
+            }
             finish(particle, sums, if bit == 0 { -1 } else { reach });
         });
     }
 
-    /// As [`sweep`](Self::sweep), in the same order, over the pairs that `reach` has a bit for.
+    /// As [`sweep`](Self::sweep), in the same order, over the pairs that `reach` has a bit for and that are still near.
     #[inline(always)]
-    pub fn revisit<P: Copy, A>(
+    pub fn revisit<P: Copy, A: Copy, X>(
         &self,
         particles: &mut [P],
-        begin: impl Fn(&P) -> (A, i32),
-        pair: impl Fn(&P, &mut A, &mut P),
+        empty: A,
+        reach: impl Fn(&P) -> i32,
+        near: impl Fn(&P, &P) -> Option<X>,
+        pair: impl Fn(&P, &mut A, &mut P, X),
         mut finish: impl FnMut(&mut P, A),
     ) {
         self.each(particles, |particle, row, beyond| {
             let this = *particle;
-            let (mut sums, mut reach) = begin(&this);
-            let mut look = |others: &mut [P]| {
-                for other in others {
-                    if reach == 0 {
-                        break;
+            let (mut sums, mut reach) = (empty, reach(&this));
+            let (mut run, mut later) = (row, beyond.iter_mut());
+            'all: loop {
+                for other in run.iter_mut() {
+                    if reach & 1 != 0
+                        && let Some(found) = near(&this, other)
+                    {
+                        pair(&this, &mut sums, other, found);
                     }
-                    let near = reach & 1 != 0;
                     reach >>= 1; // an arithmetic shift: all bits stay all bits
-                    if near {
-                        pair(&this, &mut sums, other);
+                    if reach == 0 {
+                        break 'all;
                     }
                 }
-            };
-            look(row);
-            beyond.iter_mut().for_each(|run| look(run));
+                let Some(next) = later.next() else { break };
+                run = next;
+            }
             finish(particle, sums);
         });
     }
 
-    /// Each particle, those behind it in reach along its row, and the runs in reach beyond the row.
+    /// Each particle with those ahead of it in reach: behind it in its row, and the runs beyond the row, none of them empty.
     #[inline(always)]
     fn each<P>(&self, particles: &mut [P], mut visit: impl FnMut(&mut P, &mut [P], &mut [&mut [P]])) {
         let mut at = [0_usize; D];
-        for cell in 0..self.ends.len() {
-            let (start, end) = self.run(cell, cell);
+        let mut start = 0;
+        for (cell, end) in self.ends.iter().enumerate() {
+            let end = end.to_usize();
             if start < end {
                 let runs = self.ahead(&at, cell);
                 let mut rest = particles.get_mut(start..).unwrap_or_default();
-                let mut row = take(&mut rest, runs[0].1.wrapping_sub(start));
                 let mut gone = runs[0].1;
-                let mut beyond: [&mut [P]; MOST_RUNS] = Default::default();
-                for (slot, (from, to)) in beyond.iter_mut().zip(runs).take(Self::RUNS).skip(1) {
-                    if from < to {
+                let mut row = take(&mut rest, gone.wrapping_sub(start));
+                let mut beyond: [&mut [P]; MOST_RUNS - 1] = Default::default();
+                let mut count = 0;
+                for (from, to) in runs.into_iter().take(Self::RUNS).skip(1) {
+                    if from < to
+                        && let Some(slot) = beyond.get_mut(count)
+                    {
                         take(&mut rest, from.wrapping_sub(gone));
                         *slot = take(&mut rest, to.wrapping_sub(from));
                         gone = to;
+                        count += 1;
                     }
                 }
-                let beyond = beyond.get_mut(1..Self::RUNS).unwrap_or_default();
+                let beyond = beyond.get_mut(..count).unwrap_or_default();
                 for _ in start..end {
                     let Some((particle, behind)) = row.split_first_mut() else { break };
                     visit(particle, behind, beyond);
                     row = behind;
                 }
             }
+            start = end;
             if !self.advance(&mut at) {
                 return;
             }
@@ -267,13 +280,13 @@ mod tests {
 
         order.sweep(
             particles,
-            |p| p.2,
-            |_, seen, other| {
+            0,
+            |_, _| Some(()),
+            |_, seen, other, ()| {
                 *seen += 1;
                 other.2 += 1;
-                true
             },
-            |p, seen, _| p.2 = seen,
+            |p, seen, _| p.2 += seen,
         );
         for p in particles.iter() {
             let touches =

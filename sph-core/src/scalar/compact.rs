@@ -5,12 +5,15 @@
 //! where a product of its own format takes a 64-bit one: some fifty instructions on a processor without it.
 
 use super::{Arithmetic, Scalar};
+use crate::vector;
 use core::fmt::Debug;
 
 /// A scalar with a small companion for values near 1.
 pub trait Compact: Scalar {
     /// The companion.
     type Near: Near;
+    /// A position in memory.
+    type Place<const D: usize>: Place<Self, D>;
 
     /// `self − other`, rounded down to the companion's step. Exact in range for two numbers of [0, 2¹⁶) whose difference the
     /// scalar itself can hold; any number for others.
@@ -19,11 +22,43 @@ pub trait Compact: Scalar {
     fn from_near(near: Self::Near) -> Self;
 }
 
+/// A position as it lies in memory: in floats as it is, in fixed point rounded down to the companion's step.
+pub trait Place<T: Compact, const D: usize>: Copy + Debug + Send + Sync + 'static {
+    /// The position 0.
+    const ORIGIN: Self;
+
+    /// The position x. In fixed point its coordinates lie within ±2¹⁷.
+    fn new(x: &[T; D]) -> Self;
+    /// The coordinates.
+    fn coordinates(&self) -> [T; D];
+    /// The coordinates of `self + way`, which the scalar can hold.
+    fn moved(&self, way: &[T::Near; D]) -> [T; D];
+    /// `self − origin` where that is below 2 in magnitude along each axis; any number for others.
+    fn from(&self, origin: &Self) -> <T::Near as Near>::Packed<D>;
+}
+
+/// A vector of small numbers as it lies in memory, added in one machine word where two components fill one.
+pub trait Pack<N, const D: usize>: Copy + Debug + Send + Sync + 'static {
+    /// 0
+    const ZERO: Self;
+
+    /// The vector; components within ±2.
+    fn pack(vector: [N; D]) -> Self;
+    /// What [`pack`](Self::pack) packed, as long as sums stay within ±2.
+    fn unpack(self) -> [N; D];
+    /// The sum.
+    fn plus(self, other: Self) -> Self;
+    /// The difference.
+    fn minus(self, other: Self) -> Self;
+}
+
 /// A number near 1. Exact bounds are kept by the caller: offsets and factors below 2 in magnitude never overflow, and what
 /// overflows wraps without a panic.
 pub trait Near: Arithmetic + PartialOrd + Default + Debug + Send + Sync + 'static {
     /// The form in memory.
     type Stored: Copy + Debug + Send + Sync + 'static;
+    /// A vector in memory.
+    type Packed<const D: usize>: Pack<Self, D>;
 
     /// Zero in memory.
     const STORED_ZERO: Self::Stored;
@@ -38,6 +73,12 @@ pub trait Near: Arithmetic + PartialOrd + Default + Debug + Send + Sync + 'stati
     fn store_weight(self) -> Self::Stored;
     /// What [`store_weight`](Self::store_weight) stored.
     fn load_weight(stored: Self::Stored) -> Self;
+
+    /// |v|²
+    #[inline(always)]
+    fn norm_squared<const D: usize>(v: &[Self; D]) -> Self {
+        vector::norm_squared(v)
+    }
 
     /// The product rounded to nearest where `*` rounds down: for what has no opposite that cancels the bias.
     #[inline(always)]
@@ -64,6 +105,7 @@ macro_rules! float {
     ($($Float:ty: $zero:expr),+) => {$(
         impl Compact for $Float {
             type Near = Self;
+            type Place<const D: usize> = [Self; D];
 
             #[inline(always)]
             fn offset(self, other: Self) -> Self {
@@ -76,10 +118,72 @@ macro_rules! float {
             }
         }
 
+        impl<const D: usize> Place<$Float, D> for [$Float; D] {
+            const ORIGIN: Self = [$zero; D];
+
+            #[inline(always)]
+            fn new(x: &Self) -> Self {
+                *x
+            }
+
+            #[inline(always)]
+            fn coordinates(&self) -> Self {
+                *self
+            }
+
+            #[inline(always)]
+            fn moved(&self, way: &Self) -> Self {
+                vector::add(self, way)
+            }
+
+            #[inline(always)]
+            fn from(&self, origin: &Self) -> Self {
+                vector::sub(self, origin)
+            }
+        }
+
+        impl<const D: usize> Pack<$Float, D> for [$Float; D] {
+            const ZERO: Self = [$zero; D];
+
+            #[inline(always)]
+            fn pack(vector: Self) -> Self {
+                vector
+            }
+
+            #[inline(always)]
+            fn unpack(self) -> Self {
+                self
+            }
+
+            #[inline(always)]
+            fn plus(self, other: Self) -> Self {
+                vector::add(&self, &other)
+            }
+
+            #[inline(always)]
+            fn minus(self, other: Self) -> Self {
+                vector::sub(&self, &other)
+            }
+        }
+
         impl Near for $Float {
             type Stored = Self;
+            type Packed<const D: usize> = [Self; D];
 
             const STORED_ZERO: Self = $zero;
+
+            #[inline(always)]
+            fn held(self, limit: Self) -> Self {
+                if self.abs() <= limit {
+                    self
+                } else if self > limit {
+                    limit
+                } else if self < -limit {
+                    -limit
+                } else {
+                    Self::ZERO
+                }
+            }
 
             #[inline(always)]
             fn store(self) -> Self {

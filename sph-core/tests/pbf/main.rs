@@ -30,7 +30,7 @@ fn momentum_is_conserved_to_rounding_in_floats() {
         assert!(change.abs() < 1e-5, "{change}"); // positions near 30 are rounded to 2e-6
     }
     for change in drift::<f64>(1000, 7) {
-        assert!(change.abs() < 1e-14, "{change}");
+        assert!(change.abs() < 3e-14, "{change}");
     }
 }
 
@@ -103,11 +103,13 @@ fn nothing_escapes_whatever_the_input() {
 #[test]
 fn a_mask_of_straight_walls_is_the_box() {
     const BITS: [u8; 20] = [0xff; 20];
+    let parts = |wall: Wall<f64, 2>| (wall.share, wall.push);
     let (mask, walls) = (Mask::new(&BITS, 16, 0.5).unwrap(), OpenBox::new([8.0, 5.0]));
     for x in [[0.2, 0.3], [4.0, 0.1], [7.7, 4.9], [4.0, 2.5], [0.9, 4.2], [0.5, 1.0]] {
-        let (a, b): (Wall<f64, 2>, Wall<f64, 2>) = (mask.wall(&x), walls.wall(&x));
-        assert!((a.share - b.share).abs() < 1e-12, "{a:?} {b:?}");
-        assert!((0..2).all(|axis| (a.push[axis] - b.push[axis]).abs() < 1e-12), "{a:?} {b:?}");
+        let (a, b): (Option<Wall<f64, 2>>, Option<Wall<f64, 2>>) = (mask.wall(&x), walls.wall(&x));
+        let (a, b) = (a.map_or((0.0, [0.0; 2]), parts), b.map_or((0.0, [0.0; 2]), parts));
+        assert!((a.0 - b.0).abs() < 1e-12, "{a:?} {b:?}");
+        assert!((0..2).all(|axis| (a.1[axis] - b.1[axis]).abs() < 1e-12), "{a:?} {b:?}");
     }
     assert_eq!(mask.size(), [8.0, 5.0]);
 }

@@ -1,6 +1,6 @@
 //! A disc, in three dimensions a ball.
 
-use super::{Container, Wall, hold};
+use super::{Container, Wall, hold, kept};
 use crate::Arithmetic;
 use crate::scalar::compact::{Compact, Near};
 use crate::vector::{norm_squared, scale};
@@ -37,11 +37,11 @@ impl<T: Compact, const D: usize> Container<T, D> for Disc<T> {
         self.relative(x).1 <= T::ONE
     }
 
-    fn wall(&self, x: &[T; D]) -> Wall<T::Near, D> {
+    fn wall(&self, x: &[T; D]) -> Option<Wall<T::Near, D>> {
         let (u, square) = self.relative(x);
         let inner = T::ONE - T::ONE / self.radius;
         if square < inner * inner {
-            return Wall::NONE;
+            return None;
         }
         let length = square.sqrt();
         let d = ((T::ONE - length) * self.radius).max(T::ZERO);
@@ -49,19 +49,19 @@ impl<T: Compact, const D: usize> Container<T, D> for Disc<T> {
         if length > T::ZERO && d < T::ONE {
             Wall::plane(d.offset(T::ZERO), normal.map(|n| n.held(T::Near::ONE)))
         } else {
-            Wall::NONE
+            None
         }
     }
 
     fn confine(&self, from: &[T; D], to: [T; D], gap: T) -> [T; D] {
         let edge = self.radius + self.radius;
-        let to = to.map(|coordinate| hold(coordinate, edge, T::ZERO));
+        let to = kept(&to.map(|coordinate| hold(coordinate, edge, T::ZERO)));
         let (u, square) = self.relative(&to);
         if square <= T::ONE {
             return to;
         }
         let back = scale(&u, (self.radius - gap) / square.sqrt());
-        let to = back.map(|along| along + self.radius);
+        let to = kept(&back.map(|along| along + self.radius));
         if self.contains(&to) { to } else { *from }
     }
 }

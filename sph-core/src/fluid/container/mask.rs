@@ -1,6 +1,6 @@
 //! A bitmap as container.
 
-use super::{Container, Wall, half_space, hold};
+use super::{Container, Wall, half_space, hold, kept};
 use crate::scalar::compact::{Compact, Near};
 use crate::{Arithmetic, Error, Parameter, check};
 
@@ -129,13 +129,13 @@ impl<T: Compact> Container<T, 2> for Mask<'_, T> {
             && self.is_open(self.pixel_of(x[0]), self.pixel_of(x[1]))
     }
 
-    fn wall(&self, x: &[T; 2]) -> Wall<T::Near, 2> {
+    fn wall(&self, x: &[T; 2]) -> Option<Wall<T::Near, 2>> {
         let [column, row] = x.map(|coordinate| self.pixel_of(coordinate));
         if self.all_open(column, row) {
-            return Wall::NONE;
+            return None;
         }
         let (across, up) = (self.columns(x[0], column), self.columns(x[1], row));
-        let mut wall = Wall::NONE;
+        let mut wall = Wall { share: T::Near::ZERO, push: [T::Near::ZERO; 2] };
         for (j, (&mass_y, &pull_y)) in up.mass.iter().zip(&up.pull).enumerate() {
             for (i, (&mass_x, &pull_x)) in across.mass.iter().zip(&across.pull).enumerate() {
                 if !self
@@ -147,7 +147,7 @@ impl<T: Compact> Container<T, 2> for Mask<'_, T> {
                 }
             }
         }
-        wall
+        Some(wall)
     }
 
     /// One axis after the other, each up to the first wall: no step of half a pixel or less passes one.
@@ -159,6 +159,7 @@ impl<T: Compact> Container<T, 2> for Mask<'_, T> {
             let reach = self.pixel;
             let target = hold(to[axis], size[axis], T::EPSILON).min(stay + reach).max(stay - reach);
             at[axis] = target;
+            at = kept(&at);
             if self.is_open(self.pixel_of(at[0]), self.pixel_of(at[1])) {
                 continue;
             }
@@ -168,6 +169,7 @@ impl<T: Compact> Container<T, 2> for Mask<'_, T> {
             } else {
                 (self.pixel.times(edge) + gap).min(stay)
             };
+            at = kept(&at);
             if !self.is_open(self.pixel_of(at[0]), self.pixel_of(at[1])) {
                 at[axis] = stay;
             }

@@ -23,7 +23,7 @@ pub use mask::Mask;
 pub use open_box::OpenBox;
 pub use shape::Shape;
 
-use crate::scalar::compact::{Compact, Near};
+use crate::scalar::compact::{Compact, Near, Place};
 
 /// What the walls do at one place.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,26 +35,26 @@ pub struct Wall<N, const D: usize> {
 }
 
 impl<N: Near, const D: usize> Wall<N, D> {
-    /// Far from every wall.
-    pub const NONE: Self = Self { share: N::ZERO, push: [N::ZERO; D] };
-
     /// One plane wall at distance d along the unit `normal` that points into the fluid.
     #[inline(always)]
-    pub fn plane(d: N, normal: [N; D]) -> Self {
-        if d < N::ONE {
-            let d = d.positive_part();
-            let push = half_space::push::<N, D>(d);
-            Self { share: half_space::share::<N, D>(d), push: normal.map(|along| along.evenly(push)) }
-        } else {
-            Self::NONE
+    pub fn plane(d: N, normal: [N; D]) -> Option<Self> {
+        if d >= N::ONE {
+            return None;
         }
+        let d = d.positive_part();
+        let push = half_space::push::<N, D>(d);
+        Some(Self { share: half_space::share::<N, D>(d), push: normal.map(|along| along.evenly(push)) })
     }
 }
+
+/// The largest gap that [`Container::confine`] is asked for, a fraction of h.
+pub const GAP: (i32, i32) = (1, 8);
 
 /// A container for particles: which places are inside, and what its walls do.
 ///
 /// Your own needs all four methods; [`Shape`] makes one from a signed distance. The fluid trusts `confine`: what it returns
-/// must be inside, whatever it is given, NaN included.
+/// must be inside, whatever it is given, NaN included, and in fixed point also when it is rounded down to 2^−14
+/// ([`Compact::Place`]).
 pub trait Container<T: Compact, const D: usize> {
     /// The upper corner of the box from 0 that the container lies in.
     fn size(&self) -> [T; D];
@@ -62,22 +62,28 @@ pub trait Container<T: Compact, const D: usize> {
     /// Whether a particle may be at x.
     fn contains(&self, x: &[T; D]) -> bool;
 
-    /// What the walls do at x.
-    fn wall(&self, x: &[T; D]) -> Wall<T::Near, D>;
+    /// What the walls do at x; None out of their reach.
+    fn wall(&self, x: &[T; D]) -> Option<Wall<T::Near, D>>;
 
     /// `to` where a particle can come from `from`, which is inside, in one step; else a place inside near to it, about `gap`
-    /// away from the wall that was in the way.
+    /// (at most [`GAP`]) away from the wall that was in the way.
     fn confine(&self, from: &[T; D], to: [T; D], gap: T) -> [T; D];
+}
+
+/// x as a particle keeps it.
+#[inline(always)]
+fn kept<T: Compact, const D: usize>(x: &[T; D]) -> [T; D] {
+    T::Place::new(x).coordinates()
 }
 
 /// x held between `gap` and `upper − gap`, and `gap` for NaN.
 #[inline(always)]
 fn hold<T: Compact>(x: T, upper: T, gap: T) -> T {
     let highest = upper - gap;
-    if x > highest {
-        highest
-    } else if x > gap {
+    if x >= gap && x <= highest {
         x
+    } else if x > highest {
+        highest
     } else {
         gap
     }

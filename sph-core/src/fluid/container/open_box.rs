@@ -1,6 +1,6 @@
 //! A box.
 
-use super::{Container, Wall, half_space, hold};
+use super::{Container, GAP, Wall, half_space, hold};
 use crate::Arithmetic;
 use crate::scalar::compact::Compact;
 
@@ -20,6 +20,14 @@ impl<T, const D: usize> OpenBox<T, D> {
     }
 }
 
+impl<T: Compact, const D: usize> OpenBox<T, D> {
+    /// Whether every wall is `distance` away or more.
+    #[inline(always)]
+    fn is_inside_by(&self, x: &[T; D], distance: T) -> bool {
+        (0..D).all(|axis| x[axis] >= distance && x[axis] <= self.size[axis] - distance)
+    }
+}
+
 impl<T: Compact, const D: usize> Container<T, D> for OpenBox<T, D> {
     fn size(&self) -> [T; D] {
         self.size
@@ -30,28 +38,31 @@ impl<T: Compact, const D: usize> Container<T, D> for OpenBox<T, D> {
     }
 
     #[inline(always)]
-    fn wall(&self, x: &[T; D]) -> Wall<T::Near, D> {
+    fn wall(&self, x: &[T; D]) -> Option<Wall<T::Near, D>> {
+        if self.is_inside_by(x, T::ONE) {
+            return None;
+        }
         let mut open = [T::Near::ONE; D];
         let mut push = [T::Near::ZERO; D];
-        let mut near = false;
         for axis in 0..D {
             let (lower, upper) = (x[axis].offset(T::ZERO), self.size[axis].offset(x[axis]));
             if lower < T::Near::ONE {
                 open[axis] -= half_space::share::<T::Near, D>(lower);
                 push[axis] += half_space::push::<T::Near, D>(lower);
-                near = true;
             }
             if upper < T::Near::ONE {
                 open[axis] -= half_space::share::<T::Near, D>(upper);
                 push[axis] -= half_space::push::<T::Near, D>(upper);
-                near = true;
             }
         }
-        if near { product(open, push) } else { Wall::NONE }
+        Some(product(open, push))
     }
 
     #[inline(always)]
     fn confine(&self, _from: &[T; D], to: [T; D], gap: T) -> [T; D] {
+        if self.is_inside_by(&to, T::ratio(GAP.0, GAP.1)) {
+            return to;
+        }
         core::array::from_fn(|axis| hold(to[axis], self.size[axis], gap))
     }
 }

@@ -1,6 +1,6 @@
 //! Any shape that can tell the distance to its wall.
 
-use super::{Container, Wall, hold};
+use super::{Container, Wall, hold, kept};
 use crate::Arithmetic;
 use crate::scalar::compact::{Compact, Near};
 use crate::vector::scale;
@@ -46,26 +46,26 @@ impl<T: Compact, F: Fn(&[T; D]) -> (T, [T; D]), const D: usize> Container<T, D> 
         (0..D).all(|axis| x[axis] >= T::ZERO && x[axis] <= self.size[axis]) && (self.distance)(x).0 >= T::ZERO
     }
 
-    fn wall(&self, x: &[T; D]) -> Wall<T::Near, D> {
+    fn wall(&self, x: &[T; D]) -> Option<Wall<T::Near, D>> {
         let (d, normal) = (self.distance)(x);
         if d < T::ONE {
             let normal = normal.map(|along| along.offset(T::ZERO).held(T::Near::ONE));
             Wall::plane(d.max(T::ZERO).offset(T::ZERO), normal)
         } else {
-            Wall::NONE
+            None
         }
     }
 
     fn confine(&self, from: &[T; D], to: [T; D], gap: T) -> [T; D] {
         let mut to = to;
         for _ in 0..TRIES {
-            to = core::array::from_fn(|axis| hold(to[axis], self.size[axis], T::ZERO));
+            to = kept(&core::array::from_fn(|axis| hold(to[axis], self.size[axis], T::ZERO)));
             let (d, normal) = (self.distance)(&to);
             if d >= T::ZERO {
                 return to;
             }
             let back = scale(&normal, gap - d);
-            to = core::array::from_fn(|axis| to[axis] + back[axis]);
+            to = kept(&core::array::from_fn(|axis| to[axis] + back[axis]));
         }
         if self.contains(&to) { to } else { *from }
     }

@@ -51,7 +51,8 @@ impl<'a, T: Compact, C: Container<T, D>, const D: usize, I: Index> BorrowedFluid
     /// what is in them does not matter.
     ///
     /// # Errors
-    /// [`Error::CapacityExceeded`] where they are too short, or for more particles than `I` counts; [`Error::NotFinite`] and
+    /// [`Error::CapacityExceeded`] where they are too short, or for more particles than `I` counts;
+    /// [`Error::NotRepresentable`] where the container ends less than 1 below the scalar's largest number; [`Error::NotFinite`] and
     /// [`Error::OutsideDomain`] for a particle that is not inside the container.
     pub fn new(
         container: &'a C,
@@ -78,6 +79,10 @@ impl<'a, T: Compact, C: Container<T, D>, const D: usize, I: Index> BorrowedFluid
         (starts, ends): (&'a mut [I], &'a mut [I]),
     ) -> Result<Self, Error> {
         const { assert!(D == 2 || D == 3, "two or three dimensions") };
+        let limit = T::MAX - T::ONE;
+        if !container.size().iter().all(|&length| length <= limit) {
+            return Err(Error::NotRepresentable { parameter: Parameter::Axis });
+        }
         let counts = container.size().map(|length| length.floor_to_i32().max(0) as usize + 1);
         Ok(Self { container, settings, particles, order: CellOrder::new(counts, starts, ends)? })
     }

@@ -11,7 +11,7 @@
 //! is sharper than poly6's own gradient, so that no root is needed; its strength has a constant denominator κ. Closer than
 //! 0.8 spacings a repulsion is added that does not depend on pressure: particles never pair up. A part of the pressure is kept
 //! from pass to pass, which halves what is left of the compression under the fluid's own weight. XSPH viscosity is part of the
-//! first pass. In three dimensions 3.05 is 4.96 and κ is 0.85. Every pair's push is computed once and applied with both signs, so momentum is conserved: to rounding in floats,
+//! first pass. In three dimensions 3.05 is 4.96, κ is 0.85 and 1.6 is 1.5. Every pair's push is computed once and applied with both signs, so momentum is conserved: to rounding in floats,
 //! exactly in fixed point.
 //!
 //! Chosen by measurement: 3.05 (the kernel's own constant is π) makes up for the surface, which any such solver compresses; a wall
@@ -31,7 +31,7 @@ mod step;
 
 use crate::fluid::Container;
 use crate::neighbours::Index;
-use crate::scalar::compact::{Compact, Near};
+use crate::scalar::compact::{Compact, Near, Pack};
 use crate::{Arithmetic, Error, Parameter, check};
 pub use borrowed::{BorrowedFluid, Pass};
 pub use particle::Particle;
@@ -47,7 +47,8 @@ pub const STEEPEST: (i32, i32) = (1, 8);
 pub struct Settings {
     /// Passes of density and correction a frame; 0 counts as 1.
     pub iterations: u8,
-    /// How much of the difference to the neighbours' velocity is taken away each frame (XSPH), at most 128 of 256.
+    /// How much of the difference to the neighbours' velocity is taken away each frame (XSPH), at most 128 of 256, in three
+    /// dimensions 72: beyond, neighbours overshoot.
     pub viscosity: u8,
     /// How much of the pressure is kept where it is negative, 0 to 64 of 256: the fluid's surface holds together.
     pub cohesion: u8,
@@ -56,6 +57,8 @@ pub struct Settings {
 impl Settings {
     /// Two iterations, a little viscosity, no cohesion.
     pub const DEFAULT: Self = Self { iterations: 2, viscosity: 26, cohesion: 0 };
+    /// For three dimensions: as [`DEFAULT`](Self::DEFAULT) with the viscosity that lets a fluid come to rest there.
+    pub const IN_3D: Self = Self { viscosity: 64, ..Self::DEFAULT };
 }
 
 impl Default for Settings {
@@ -196,10 +199,9 @@ impl<T: Compact, C, I: Index, const D: usize, const CAP: usize, const CELLS: usi
         let len = self.len();
         for particle in self.particles.iter_mut().take(len) {
             let change = impulse(particle);
-            for (velocity, change) in particle.velocity.iter_mut().zip(change) {
-                *velocity =
-                    (T::Near::load(*velocity) + near_held(change, (1, 1))).held(ratio(FASTEST)).store();
-            }
+            let velocity = particle.velocity.unpack();
+            let after = |axis: usize| (velocity[axis] + near_held(change[axis], (1, 1))).held(T::Near::ONE);
+            particle.velocity = Pack::pack(core::array::from_fn(after));
         }
     }
 }
@@ -252,14 +254,14 @@ fn check_inside<T: Compact, C: Container<T, D>, const D: usize>(
     particle: &Particle<T, D>,
     index: usize,
 ) -> Result<(), Error> {
-    let size = container.size();
-    for (axis, &coordinate) in particle.position.iter().enumerate() {
+    let (size, position) = (container.size(), particle.position());
+    for (axis, &coordinate) in position.iter().enumerate() {
         check::finite(coordinate, Parameter::Position, index)?;
         if !(coordinate >= T::ZERO && coordinate <= size[axis]) {
             return Err(Error::OutsideDomain { index, axis });
         }
     }
-    if container.contains(&particle.position) { Ok(()) } else { Err(Error::OutsideDomain { index, axis: 0 }) }
+    if container.contains(&position) { Ok(()) } else { Err(Error::OutsideDomain { index, axis: 0 }) }
 }
 
 /// A literal.

@@ -1,18 +1,19 @@
 //! One particle of the fluid, as it lies in memory.
 
-use crate::scalar::compact::{Compact, Near};
+use crate::scalar::compact::{Compact, Near, Pack, Place};
 
-type Stored<T> = <<T as Compact>::Near as Near>::Stored;
+pub(super) type Stored<T> = <<T as Compact>::Near as Near>::Stored;
+pub(super) type Packed<T, const D: usize> = <<T as Compact>::Near as Near>::Packed<D>;
 
 /// A particle: a position in units of h and a velocity in h a frame.
 ///
-/// 36 bytes for f32 in two dimensions, 24 for a fixed-point scalar of 32 bits.
+/// In two dimensions 36 bytes for f32 and 24 for any fixed-point scalar, whose position is kept to 2^−14.
 #[derive(Clone, Copy, Debug)]
 pub struct Particle<T: Compact, const D: usize> {
-    pub(super) position: [T; D],
-    pub(super) velocity: [Stored<T>; D],
+    pub(super) place: T::Place<D>,
+    pub(super) velocity: Packed<T, D>,
     /// The displacement gathered so far.
-    pub(super) push: [Stored<T>; D],
+    pub(super) push: Packed<T, D>,
     /// The kernel's sum over the particles before this one.
     pub(super) load: Stored<T>,
     pub(super) pressure: Stored<T>,
@@ -22,18 +23,21 @@ pub struct Particle<T: Compact, const D: usize> {
 
 impl<T: Compact, const D: usize> Particle<T, D> {
     pub(super) const AT_ORIGIN: Self = Self {
-        position: [T::ZERO; D],
-        velocity: [T::Near::STORED_ZERO; D],
-        push: [T::Near::STORED_ZERO; D],
+        place: T::Place::ORIGIN,
+        velocity: Packed::<T, D>::ZERO,
+        push: Packed::<T, D>::ZERO,
         load: T::Near::STORED_ZERO,
         pressure: T::Near::STORED_ZERO,
         reach: 0,
     };
 
-    /// A particle at `position` with `velocity`, which is held at ±1.
+    /// A particle at `position` with `velocity`, which is held at ±1. What a fixed-point scalar cannot tell, or holds beyond
+    /// ±2¹⁶, is taken as −1, which lies in no container.
     pub fn new(position: [T; D], velocity: [T; D]) -> Self {
-        let velocity = velocity.map(|v| super::near_held(v, (1, 1)).store());
-        Self { position, velocity, ..Self::AT_ORIGIN }
+        let outside = |x: T| x.floor_to_i32().unsigned_abs() > 1 << 16 || !(x.is_finite() || x != x);
+        let position = position.map(|x| if outside(x) { -T::ONE } else { x });
+        let velocity = Pack::pack(velocity.map(|v| super::near_held(v, (1, 1))));
+        Self { place: T::Place::new(&position), velocity, ..Self::AT_ORIGIN }
     }
 
     /// With the pressure that its last frame ended with: position, velocity and pressure are all that a frame hands on.
@@ -41,14 +45,22 @@ impl<T: Compact, const D: usize> Particle<T, D> {
         Self { pressure: super::near_held(pressure, (1, 1)).store(), ..self }
     }
 
+    /// Moves it to x, and adds the way to `velocity`.
+    #[inline(always)]
+    pub(super) fn move_to(&mut self, x: &[T; D], velocity: Packed<T, D>) {
+        let place = T::Place::new(x);
+        self.velocity = velocity.plus(place.from(&self.place));
+        self.place = place;
+    }
+
     /// Where it is, in units of h.
     pub fn position(&self) -> [T; D] {
-        self.position
+        self.place.coordinates()
     }
 
     /// How far it moved in the last frame, in units of h.
     pub fn velocity(&self) -> [T; D] {
-        self.velocity.map(|v| T::from_near(Near::load(v)))
+        self.velocity.unpack().map(T::from_near)
     }
 
     /// The pressure that the last frame ended with; no unit, 0 at a free surface.

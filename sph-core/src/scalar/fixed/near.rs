@@ -1,22 +1,24 @@
 //! The 2^−14 companion of the fixed-point scalars.
 
+use super::packed::{Packed14, Place14};
 use super::{Fixed, Format, Overflow, Word};
 use crate::Arithmetic;
 use crate::scalar::compact::{Compact, Near};
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 /// Bits behind the binary point.
-const FRACTION: u32 = 14;
+pub(super) const FRACTION: u32 = 14;
 /// Bits by which a stored sum of weights is coarser.
 const WEIGHT_SHIFT: u32 = 3;
 
 /// An integer count of 2^−14 in 32 bits; see [`compact`](crate::scalar::compact). `*` rounds down.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 #[repr(transparent)]
-pub struct Near14(i32);
+pub struct Near14(pub(super) i32);
 
 impl<F: Format, O: Overflow> Compact for Fixed<F, O> {
     type Near = Near14;
+    type Place<const D: usize> = Place14<D>;
 
     #[inline(always)]
     fn offset(self, other: Self) -> Near14 {
@@ -31,12 +33,32 @@ impl<F: Format, O: Overflow> Compact for Fixed<F, O> {
 
 impl Near for Near14 {
     type Stored = i16;
+    type Packed<const D: usize> = Packed14<D>;
 
     const STORED_ZERO: i16 = 0;
 
     #[inline(always)]
     fn store(self) -> i16 {
         self.0.clamp(-i32::from(i16::MAX), i16::MAX.into()) as i16
+    }
+
+    /// Rounded once, and right for components below 2.8.
+    #[inline(always)]
+    fn norm_squared<const D: usize>(v: &[Self; D]) -> Self {
+        let squares = v.iter().fold(0_u32, |sum, &Self(n)| sum.wrapping_add(n.wrapping_mul(n) as u32));
+        Self(squares.wrapping_shr(FRACTION) as i32)
+    }
+
+    #[inline(always)]
+    fn held(self, limit: Self) -> Self {
+        let above = self.0.wrapping_add(limit.0) as u32;
+        if above <= limit.0.wrapping_shl(1) as u32 {
+            self
+        } else if self.0 < 0 {
+            -limit
+        } else {
+            limit
+        }
     }
 
     #[inline(always)]
