@@ -6,6 +6,7 @@
 pub mod cli;
 pub mod demo;
 pub mod failure;
+pub mod fast;
 pub mod io;
 pub mod kernel_choice;
 pub mod output;

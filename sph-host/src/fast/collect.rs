@@ -1,0 +1,102 @@
+//! The particles in reach of a point, moved together: sixteen candidates at a time.
+
+use super::cells::{MOST_RUNS, Run};
+use super::set::Cells;
+use super::simd::{BLOCK, Isa, Real};
+
+/// What was found about one point. The lists are longer than what was found: the rest is left over.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Found<T> {
+    /// r², below h².
+    pub(super) squares: Vec<T>,
+    /// The particles' places in the order of the cells, where they were asked for.
+    pub(super) places: Vec<u32>,
+}
+
+impl<T: Real> Found<T> {
+    /// Room for so many.
+    #[inline(always)]
+    fn reserve<const SQUARES: bool, const PLACES: bool>(&mut self, room: usize) {
+        if (SQUARES && self.squares.len() < room) || (PLACES && self.places.len() < room) {
+            self.grow::<SQUARES, PLACES>(2 * room);
+        }
+    }
+
+    #[cold]
+    fn grow<const SQUARES: bool, const PLACES: bool>(&mut self, room: usize) {
+        if SQUARES {
+            self.squares.resize(room, T::ZERO);
+        }
+        if PLACES {
+            self.places.resize(room, 0);
+        }
+    }
+
+    /// The squares of the first so many, filled up to a whole block with numbers beyond any support.
+    #[inline(always)]
+    pub(super) fn squares(&mut self, count: usize) -> &[[T; BLOCK]] {
+        self.reserve::<true, false>(count + BLOCK);
+        if let Some(end) = self.squares[count..].first_chunk_mut::<BLOCK>() {
+            *end = [T::MAX; BLOCK];
+        }
+        self.squares[..count.next_multiple_of(BLOCK)].as_chunks().0
+    }
+}
+
+/// Finds the particles with r² < h² about x, in the order of the cells, and lists them after the first `end` of what was
+/// found before; returns how many are listed then. h is the cells' own, or each particle's where `own_limits` has their
+/// squares.
+#[inline(always)]
+pub(super) fn collect<T: Real, const D: usize, I: Isa<T>, const SQUARES: bool, const PLACES: bool>(
+    isa: I,
+    cells: &Cells<T, D>,
+    own_limits: Option<&[T]>,
+    x: &[T; D],
+    found: &mut Found<T>,
+    mut end: usize,
+) -> usize {
+    let mut runs = [Run::default(); MOST_RUNS];
+    let count = cells.layout.runs(&x.map(|c| c.to_f64()), &mut runs);
+    let limit = [cells.radius * cells.radius; BLOCK];
+    for run in &runs[..count] {
+        let (first, last) = cells.sorted.range(run);
+        let size = last - first;
+        found.reserve::<SQUARES, PLACES>(end + size + BLOCK);
+        let padded = first..first + size.next_multiple_of(BLOCK);
+        let axes: [&[[T; BLOCK]]; D] = std::array::from_fn(
+            #[inline(always)]
+            |axis| cells.sorted.coordinates[axis][padded.clone()].as_chunks().0,
+        );
+        let own_limits = own_limits.map(|limits| limits[padded].as_chunks::<BLOCK>().0);
+        let mut rest = size;
+        for block in 0..size.div_ceil(BLOCK) {
+            let squares = squares(&axes, block, x);
+            let limit = own_limits.map_or(&limit, |limits| &limits[block]);
+            let real = if rest < BLOCK { (1 << rest) - 1 } else { 0xffff };
+            rest = rest.wrapping_sub(BLOCK);
+            let mask = isa.below(&squares, limit) & real;
+            if SQUARES && let Some(out) = found.squares[end..].first_chunk_mut() {
+                isa.pack(mask, &squares, out);
+            }
+            if PLACES && let Some(out) = found.places[end..].first_chunk_mut() {
+                isa.pack_index(mask, (first + block * BLOCK) as u32, out);
+            }
+            end += mask.count_ones() as usize;
+        }
+    }
+    end
+}
+
+/// r² of sixteen particles, summed axis by axis.
+#[inline(always)]
+fn squares<T: Real, const D: usize>(axes: &[&[[T; BLOCK]]; D], block: usize, x: &[T; D]) -> [T; BLOCK] {
+    let mut sum = [T::ZERO; BLOCK];
+    for axis in 0..D {
+        let coordinates = &axes[axis][block];
+        for k in 0..BLOCK {
+            let d = x[axis] - coordinates[k];
+            sum[k] = if axis == 0 { d * d } else { sum[k] + d * d };
+        }
+    }
+    sum
+}

@@ -1,0 +1,109 @@
+//! Particles that each bring their own support radius h_j (scatter form, W(x − x_j, h_j)).
+
+use rayon::prelude::*;
+use sph_core::{Error, Parameter};
+
+use super::fields::{Fields, Part};
+use super::set::{Cells, check_length, check_radius};
+use super::simd::{BLOCK, Level, Real};
+
+/// Particles sorted by the octave of their support radius, and within each octave into [`Cells`]: a point looks at cells that
+/// suit the radii in them, however widely these differ.
+///
+/// ```
+/// use sph_core::kernel::CubicSpline;
+/// use sph_host::fast::Levels;
+/// let levels = Levels::sort(&[[0.0_f64], [1.0], [1.5]], &[0.8, 2.0, 0.1])?;
+/// let sums = levels.fields(&[&[1.0, 1.0, 1.0]])?.at::<CubicSpline>(&[[0.0]], false)?;
+/// assert_eq!(sums.reached, [2]);
+/// # Ok::<(), sph_core::Error>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Levels<T, const D: usize> {
+    parts: Vec<(Cells<T, D>, Own<T>)>,
+    len: usize,
+}
+
+/// What each particle of some cells has instead of one h for all, in the order of the cells.
+#[derive(Clone, Debug)]
+pub(super) struct Own<T> {
+    /// h_j², and after the last a block of zeros.
+    pub(super) squares: Vec<T>,
+    /// 1 / h_j
+    pub(super) inverses: Vec<T>,
+    /// The smallest h_j.
+    pub(super) least: T,
+}
+
+impl<T: Real, const D: usize> Levels<T, D> {
+    /// Sorts particles, each with its support radius.
+    ///
+    /// # Errors
+    /// [`Error::LengthMismatch`] unless there is a radius for each particle; for the radii and positions as
+    /// [`Cells::sort`], a position's index being that among the particles of its octave.
+    pub fn sort(positions: &[[T; D]], radii: &[T]) -> Result<Self, Error> {
+        check_length(radii.len(), positions.len(), Parameter::SupportRadius)?;
+        radii.iter().enumerate().try_for_each(|(index, &radius)| check_radius(radius, index))?;
+        let octaves: Vec<i32> = radii.par_iter().map(|radius| radius.to_f64().log2().floor() as i32).collect();
+        let mut distinct = octaves.clone();
+        distinct.par_sort_unstable();
+        distinct.dedup();
+        let parts = distinct.into_iter().map(|octave| {
+            let of_octave = |&j: &u32| octaves[j as usize] == octave;
+            let indices: Vec<u32> = (0..positions.len() as u32).filter(of_octave).collect();
+            part(positions, radii, &indices)
+        });
+        Ok(Self { parts: parts.collect::<Result<_, _>>()?, len: positions.len() })
+    }
+
+    /// As [`Cells::at_level`].
+    #[must_use]
+    pub fn at_level(self, level: Level) -> Self {
+        let parts = self.parts.into_iter().map(|(cells, own)| (cells.at_level(level), own)).collect();
+        Self { parts, ..self }
+    }
+
+    /// How many particles there are.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.len
+    }
+
+    /// Whether there are none.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.len == 0
+    }
+
+    /// As [`Cells::fields`].
+    ///
+    /// # Errors
+    /// As [`Cells::fields`].
+    pub fn fields(&self, coefficients: &[&[T]]) -> Result<Fields<'_, T, D>, Error> {
+        for slice in coefficients {
+            check_length(slice.len(), self.len(), Parameter::Value)?;
+        }
+        let parts = self.parts.iter().map(|(cells, own)| Part::new(cells, Some(own), coefficients)).collect();
+        Ok(Fields { parts, width: coefficients.len() })
+    }
+}
+
+/// The cells of the particles with these indices.
+fn part<T: Real, const D: usize>(
+    positions: &[[T; D]],
+    radii: &[T],
+    indices: &[u32],
+) -> Result<(Cells<T, D>, Own<T>), Error> {
+    let chosen: Vec<[T; D]> = indices.iter().map(|&j| positions[j as usize]).collect();
+    let of = |index: &u32| radii[*index as usize];
+    let first = indices.first().map_or(T::ONE, of);
+    let (least, most) = indices.iter().map(of).fold((first, first), |(least, most), radius| {
+        (if radius < least { radius } else { least }, if radius > most { radius } else { most })
+    });
+    let mut cells = Cells::sort(&chosen, most)?;
+    cells.sorted.order.iter_mut().for_each(|index| *index = indices[*index as usize]);
+    let mut squares: Vec<T> = cells.sorted.order.iter().map(|j| of(j) * of(j)).collect();
+    squares.resize(squares.len() + BLOCK, T::ZERO);
+    let inverses = cells.sorted.order.iter().map(|j| T::ONE / of(j)).collect();
+    Ok((cells, Own { squares, inverses, least }))
+}

@@ -1,0 +1,100 @@
+//! Who is in reach of whom.
+
+use rayon::prelude::*;
+
+use super::collect::{Found, collect};
+use super::set::Cells;
+use super::simd::{Isa, Job, Real};
+
+/// Particles whose lists are in one piece of memory.
+const CHUNK: usize = 2048;
+
+/// The neighbours of every particle of some [`Cells`], itself included: those with r² < h².
+///
+/// Particles go by their places in the order of the cells, which [`Cells::order`] translates; so do their neighbours, which come
+/// in that order too. The lists of 2048 consecutive particles lie in one piece of memory without gaps, as u32; filling the
+/// same lists again takes no new memory.
+///
+/// ```
+/// use sph_host::fast::{Cells, NeighbourLists};
+/// let cells = Cells::sort(&[[0.0_f32, 0.0], [5.0, 5.0], [0.5, 0.0]], 1.0)?;
+/// let mut lists = NeighbourLists::new();
+/// cells.neighbour_lists(&mut lists);
+/// assert_eq!(cells.order(), [0, 2, 1]);
+/// assert_eq!((lists.of(0), lists.of(1), lists.of(2)), (&[0, 1][..], &[0, 1][..], &[2][..]));
+/// # Ok::<(), sph_core::Error>(())
+/// ```
+#[derive(Clone, Debug, Default)]
+pub struct NeighbourLists {
+    chunks: Vec<Chunk>,
+}
+
+/// The lists of consecutive particles.
+#[derive(Clone, Debug, Default)]
+struct Chunk {
+    /// Where each list ends.
+    ends: Vec<usize>,
+    places: Vec<u32>,
+}
+
+impl NeighbourLists {
+    /// Lists of no particles.
+    #[must_use]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// The neighbours of the particle at a place; none where there is no such particle.
+    #[must_use]
+    #[inline]
+    pub fn of(&self, place: usize) -> &[u32] {
+        let Some(chunk) = self.chunks.get(place / CHUNK) else { return &[] };
+        let row = place % CHUNK;
+        let Some(&end) = chunk.ends.get(row) else { return &[] };
+        let first = if row == 0 { 0 } else { chunk.ends[row - 1] };
+        &chunk.places[first..end]
+    }
+
+    /// How many neighbours all particles have together.
+    #[must_use]
+    pub fn pairs(&self) -> usize {
+        self.chunks.iter().filter_map(|chunk| chunk.ends.last()).sum()
+    }
+}
+
+impl<T: Real, const D: usize> Cells<T, D> {
+    /// Lists the neighbours of every particle, in memory that is used again.
+    pub fn neighbour_lists(&self, lists: &mut NeighbourLists) {
+        lists.chunks.resize_with(self.len().div_ceil(CHUNK), Chunk::default);
+        lists.chunks.par_iter_mut().enumerate().for_each(|(number, chunk)| {
+            let first = number * CHUNK;
+            let count = CHUNK.min(self.len() - first);
+            T::dispatch(self.level, Lists { cells: self, first, count, chunk });
+        });
+    }
+}
+
+/// The lists of some consecutive particles.
+struct Lists<'a, T, const D: usize> {
+    cells: &'a Cells<T, D>,
+    first: usize,
+    count: usize,
+    chunk: &'a mut Chunk,
+}
+
+impl<T: Real, const D: usize> Job<T> for Lists<'_, T, D> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<I: Isa<T>, const N: usize>(self, isa: I) {
+        let mut found = Found { squares: Vec::new(), places: std::mem::take(&mut self.chunk.places) };
+        self.chunk.ends.clear();
+        let mut end = 0;
+        for place in self.first..self.first + self.count {
+            let x = self.cells.sorted.position(place);
+            end = collect::<T, D, I, false, true>(isa, self.cells, None, &x, &mut found, end);
+            self.chunk.ends.push(end);
+        }
+        self.chunk.places = found.places;
+    }
+}
