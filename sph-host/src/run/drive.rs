@@ -3,6 +3,8 @@
 use std::time::Instant;
 
 use indicatif::ProgressBar;
+use sph_core::kernel::WendlandC2;
+use sph_core::{KernelInfluence, Scalar};
 
 use super::case::Case;
 use super::measure::{COLUMNS, LAST_COLUMNS, Meter};
@@ -10,7 +12,7 @@ use super::series::{Check, Series};
 use super::setup::Setup;
 use super::simulation::{Simulate, Simulation, Snapshot};
 use crate::failure::Failure;
-use crate::kernel_choice::KernelName;
+use crate::kernel_choice::{AnyInfluence, KernelName};
 use crate::scalar_choice::ScalarName;
 
 /// Rows of the series in the time of one frame.
@@ -41,8 +43,8 @@ impl<'a, const D: usize> Drive<'a, D> {
     ) -> Result<Self, Failure> {
         let setup = case.setup();
         let simulation: Box<dyn Simulate<D>> = match scalar {
-            ScalarName::F64 => Box::new(Simulation::<f64, D>::new(&setup, kernel).map_err(refused)?),
-            ScalarName::F32 => Box::new(Simulation::<f32, D>::new(&setup, kernel).map_err(refused)?),
+            ScalarName::F64 => simulation::<f64, D>(&setup, kernel).map_err(refused)?,
+            ScalarName::F32 => simulation::<f32, D>(&setup, kernel).map_err(refused)?,
             other => {
                 let message =
                     format!("--scalar {}: --solver wcsph computes in f64 or f32", super::word(&other));
@@ -147,6 +149,17 @@ impl<'a, const D: usize> Drive<'a, D> {
         let time = self.series.rows.last().map_or(0.0, |row| row[0]);
         Failure::input(format!("the run failed after {time} s: {error}"))
     }
+}
+
+/// A liquid in scalar T. The usual kernel is known to the compiler, the others are chosen pair by pair: the same bits either way.
+fn simulation<T: Scalar, const D: usize>(
+    setup: &Setup<D>,
+    kernel: KernelName,
+) -> Result<Box<dyn Simulate<D>>, sph_core::Error> {
+    Ok(match kernel {
+        KernelName::WendlandC2 => Box::new(Simulation::new(setup, KernelInfluence::<T, D, WendlandC2>::new)?),
+        other => Box::new(Simulation::new(setup, |support| AnyInfluence::<T, D>::new(other, support))?),
+    })
 }
 
 fn refused(error: sph_core::Error) -> Failure {

@@ -12,6 +12,7 @@ mod folder;
 mod frame;
 mod measure;
 mod reference;
+mod rows;
 mod series;
 mod setup;
 mod simulation;
