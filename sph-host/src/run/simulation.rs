@@ -51,6 +51,7 @@ pub(super) trait Simulate<const D: usize> {
 pub(super) struct Simulation<T, const D: usize, W> {
     scheme: Scheme<T, D, W>,
     limits: Limits<T>,
+    gravity: fn(f64) -> [f64; D],
     time: f64,
     steps: u64,
     /// Steps since the fluid was sorted.
@@ -99,6 +100,7 @@ impl<T: Scalar, const D: usize, W: Influence<T, D> + Copy + Sync> Simulation<T, 
         let mut simulation = Self {
             scheme,
             limits: setup.limits(),
+            gravity: setup.gravity_at,
             time: 0.0,
             steps: 0,
             unsorted: 0,
@@ -182,6 +184,7 @@ impl<T: Scalar, const D: usize, W: Influence<T, D> + Copy + Sync> Simulate<D> fo
             if self.unsorted == SORT_EVERY {
                 self.sort()?;
             }
+            self.scheme.liquid.gravity = (self.gravity)(self.time).map(T::from_f64);
             let (limits, left) = (self.limits, until - self.time);
             let (scheme, mut particles) = self.particles();
             let longest = scheme.stable_step(&particles, &limits).to_f64();
@@ -198,6 +201,7 @@ impl<T: Scalar, const D: usize, W: Influence<T, D> + Copy + Sync> Simulate<D> fo
 
     fn prepare(&mut self) -> Result<(), Error> {
         self.sort()?;
+        self.scheme.liquid.gravity = (self.gravity)(self.time).map(T::from_f64);
         let (scheme, mut particles) = self.particles();
         scheme.prepare(&mut particles, &Threads)
     }
