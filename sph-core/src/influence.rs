@@ -47,6 +47,13 @@ pub trait Influence<T: Scalar, const D: usize> {
         T::ONE
     }
 
+    /// s with ∇Ω(x) = s x at |x|² = `distance_squared`, units L^{-D-2}, for D ≥ 1: what a sum of central forces needs of a pair.
+    #[inline(always)]
+    fn slope(&self, distance_squared: T) -> T {
+        let unit = core::array::from_fn(|axis| if axis == 0 { T::ONE } else { T::ZERO });
+        self.gradient(&unit, distance_squared).first().copied().unwrap_or(T::ZERO)
+    }
+
     /// Ω(x) and ∇Ω(x) together.
     #[inline(always)]
     fn both(&self, x: &[T; D], distance_squared: T) -> (T, [T; D]) {
@@ -104,6 +111,10 @@ impl<T: Scalar, const D: usize, W: Influence<T, D>> Influence<T, D> for &W {
     #[inline(always)]
     fn constant(&self) -> T {
         (**self).constant()
+    }
+
+    fn slope(&self, distance_squared: T) -> T {
+        (**self).slope(distance_squared)
     }
 
     #[inline(always)]

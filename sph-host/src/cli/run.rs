@@ -26,9 +26,9 @@ pub(super) struct RunArgs {
     /// Name the cases and what they show
     #[arg(long)]
     list: bool,
-    /// How it is simulated
-    #[arg(long, value_enum, default_value_t = Solver::Wcsph)]
-    solver: Solver,
+    /// How it is simulated; without it, pbf for tilt and wcsph for all others
+    #[arg(long, value_enum)]
+    solver: Option<Solver>,
     /// Dimensions; 3 for the dam break alone
     #[arg(long, default_value_t = 2, value_parser = clap::value_parser!(u8).range(2..=3))]
     dim: u8,
@@ -38,12 +38,12 @@ pub(super) struct RunArgs {
     /// Seconds to simulate
     #[arg(long, value_name = "SECONDS", value_parser = parse::positive, allow_hyphen_values = true)]
     time: Option<f64>,
-    /// The number type: f64 or f32
-    #[arg(long, value_enum, default_value_t = ScalarName::F64)]
-    scalar: ScalarName,
-    /// The kernel
-    #[arg(long, value_enum, default_value_t = KernelName::WendlandC2)]
-    kernel: KernelName,
+    /// The number type: f64 (without it) or f32 for wcsph, f32 (without it), fast32 or fixed point for pbf
+    #[arg(long, value_enum)]
+    scalar: Option<ScalarName>,
+    /// The kernel of wcsph; without it, wendland-c2
+    #[arg(long, value_enum)]
+    kernel: Option<KernelName>,
     /// The directory of the results; without it, fluisim-CASE
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,

@@ -3,15 +3,21 @@
 use std::time::Instant;
 
 use indicatif::ProgressBar;
+use sph_core::kernel::WendlandC2;
+use sph_core::scalar::compact::Compact;
+use sph_core::{KernelInfluence, Scalar};
 
+use super::Solver;
 use super::case::Case;
 use super::measure::{COLUMNS, LAST_COLUMNS, Meter};
+use super::pbf::PositionBased;
 use super::series::{Check, Series};
 use super::setup::Setup;
 use super::simulation::{Simulate, Simulation, Snapshot};
 use crate::failure::Failure;
-use crate::kernel_choice::KernelName;
-use crate::scalar_choice::ScalarName;
+use crate::kernel_choice::{AnyInfluence, KernelName};
+use crate::output::Precision;
+use crate::scalar_choice::{ScalarName, with_scalar};
 
 /// Rows of the series in the time of one frame.
 pub(super) const ROWS_A_FRAME: u64 = 4;
@@ -27,32 +33,51 @@ pub(super) struct Drive<'a, const D: usize> {
     every: f64,
     /// Frames so far, the one at the start included.
     pub(super) frames: u64,
+    /// Of the numbers in frames.
+    pub(super) precision: Precision,
+    solver: Solver,
     /// Seconds that steps took, without what is measured and written.
     pub(super) stepping: f64,
 }
 
+/// With what a case is simulated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Means {
+    pub(super) solver: Solver,
+    pub(super) scalar: ScalarName,
+    pub(super) kernel: KernelName,
+}
+
 impl<'a, const D: usize> Drive<'a, D> {
-    /// A case at its beginning.
-    pub(super) fn new(
-        case: &'a dyn Case<D>,
-        scalar: ScalarName,
-        kernel: KernelName,
-        every: f64,
-    ) -> Result<Self, Failure> {
+    /// A case at its beginning, with a frame `every` so many seconds.
+    pub(super) fn new(case: &'a dyn Case<D>, means: Means, every: f64) -> Result<Self, Failure> {
         let setup = case.setup();
-        let simulation: Box<dyn Simulate<D>> = match scalar {
-            ScalarName::F64 => Box::new(Simulation::<f64, D>::new(&setup, kernel).map_err(refused)?),
-            ScalarName::F32 => Box::new(Simulation::<f32, D>::new(&setup, kernel).map_err(refused)?),
-            other => {
-                let message =
-                    format!("--scalar {}: --solver wcsph computes in f64 or f32", super::word(&other));
-                return Err(Failure::usage(message));
+        let simulation: Box<dyn Simulate<D>> = match (means.solver, means.scalar) {
+            (Solver::Wcsph, ScalarName::F32) => weakly_compressible::<f32, D>(&setup, means.kernel)?,
+            (Solver::Wcsph, _) => weakly_compressible::<f64, D>(&setup, means.kernel)?,
+            (Solver::Pbf, scalar) => {
+                let size = case.inside().map(|(_, upper)| upper);
+                let interval = every / ROWS_A_FRAME as f64;
+                with_scalar!(scalar, T => position_based::<T, D>(&setup, size, interval)?)
             }
         };
-        let meter = Meter::new(&setup, case.inside()).map_err(refused)?;
+        let meter = Meter::new(&setup, case.inside(), means.solver).map_err(refused)?;
         let columns = COLUMNS.iter().chain(case.columns()).chain(&LAST_COLUMNS).copied();
         let series = Series::new(columns);
-        Ok(Self { case, setup, meter, simulation, series, every, frames: 0, stepping: 0.0 })
+        let is_single = means.solver == Solver::Wcsph && means.scalar == ScalarName::F32;
+        let precision = if is_single { Precision::F32 } else { Precision::F64 };
+        Ok(Self {
+            case,
+            setup,
+            meter,
+            simulation,
+            series,
+            every,
+            frames: 0,
+            stepping: 0.0,
+            precision,
+            solver: means.solver,
+        })
     }
 
     /// How many frames a duration has, the one at the start included, and one at the end where it ends between two.
@@ -123,6 +148,12 @@ impl<'a, const D: usize> Drive<'a, D> {
     pub(super) fn checks(&self, last: &Snapshot<D>) -> Vec<Check> {
         let outside = self.series.column("outside").iter().map(|point| point[1]).fold(0.0, f64::max);
         let mut checks = self.case.checks(&self.series, last);
+        if self.solver == Solver::Pbf {
+            let near = self.meter.share_nearer_than(0.6, last);
+            checks.push(Check::at_most("particles nearer than 0.6 spacings, share", near, 0.01));
+            let error = self.series.last("mean_density_error").unwrap_or(f64::NAN);
+            checks.push(Check::at_most("compression at the end, mean", error, 0.03));
+        }
         checks.push(Check::at_most("particles that escaped", outside, 0.0));
         checks
     }
@@ -146,6 +177,40 @@ impl<'a, const D: usize> Drive<'a, D> {
     fn lost(&self, error: sph_core::Error) -> Failure {
         let time = self.series.rows.last().map_or(0.0, |row| row[0]);
         Failure::input(format!("the run failed after {time} s: {error}"))
+    }
+}
+
+/// A liquid in scalar T. The usual kernel is known to the compiler, the others are chosen pair by pair: the same bits either way.
+fn weakly_compressible<T: Scalar, const D: usize>(
+    setup: &Setup<D>,
+    kernel: KernelName,
+) -> Result<Box<dyn Simulate<D>>, Failure> {
+    Ok(match kernel {
+        KernelName::WendlandC2 => {
+            let influence = KernelInfluence::<T, D, WendlandC2>::new;
+            Box::new(Simulation::new(setup, influence).map_err(refused)?)
+        }
+        other => {
+            let influence = |support| AnyInfluence::<T, D>::new(other, support);
+            Box::new(Simulation::new(setup, influence).map_err(refused)?)
+        }
+    })
+}
+
+fn position_based<T: Compact, const D: usize>(
+    setup: &Setup<D>,
+    size: [f64; D],
+    interval: f64,
+) -> Result<Box<dyn Simulate<D>>, Failure> {
+    match PositionBased::<T, D>::new(setup, size, interval) {
+        Ok(fluid) => Ok(Box::new(fluid)),
+        Err(sph_core::Error::NotRepresentable { .. }) => {
+            let cells = size.map(|length| length / setup.spacing / 2.0).into_iter().fold(0.0, f64::max);
+            let name = T::NAME;
+            let message = format!("--scalar: {name} has no room for a box of {cells} support radii");
+            Err(Failure::usage(message))
+        }
+        Err(error) => Err(refused(error)),
     }
 }
 

@@ -18,7 +18,6 @@ use crate::failure::Failure;
 use crate::output::{self, Column, Precision, Table, Target};
 use crate::picture::animation::Animation;
 use crate::picture::{Image, plot};
-use crate::scalar_choice::ScalarName;
 
 const CHECKPOINT: &str = "checkpoint.json";
 const SERIES: &str = "series.csv";
@@ -154,13 +153,12 @@ impl Folder {
         &mut self,
         drive: &Drive<D>,
         now: &Snapshot<D>,
-        scalar: ScalarName,
         wall_seconds: f64,
     ) -> Result<(), Failure> {
         let number = drive.frames - 1;
-        output::write(&frame::table(now, scalar), &self.target(self.frame(number, "vtu")))?;
+        output::write(&frame::table(now, drive.precision), &self.target(self.frame(number, "vtu")))?;
         let title = format!("{}, t = {:.4} s", self.run["case"].as_str().unwrap_or_default(), now.time);
-        let image = frame::picture(now, &drive.case.view(), &title).map_err(drawing)?;
+        let image = drive.case.picture(now, &title).map_err(drawing)?;
         self.write_png(&image, self.frame(number, "png"))?;
         self.write_series(drive)?;
         self.write_collection(drive)?;

@@ -5,6 +5,7 @@ use sph_core::fluid::EquationOfState;
 use sph_core::vector::{dot, norm_squared};
 use sph_core::{CellGrid, CellLayout, Neighbours};
 
+use super::Solver;
 use super::setup::Setup;
 use super::simulation::Snapshot;
 
@@ -22,7 +23,8 @@ pub(super) struct Meter<const D: usize> {
     spacing: f64,
     rest_density: f64,
     gravity: [f64; D],
-    state: EquationOfState<f64>,
+    /// `None` for a position-based fluid, which has no energy of compression.
+    state: Option<EquationOfState<f64>>,
     layout: Option<CellLayout<f64, D>>,
     /// Σ m v and Σ m x × v at the start.
     momentum: [f64; D],
@@ -35,7 +37,11 @@ pub(super) struct Meter<const D: usize> {
 
 impl<const D: usize> Meter<D> {
     /// A meter for a case that starts so; particles beyond `inside` have escaped.
-    pub(super) fn new(setup: &Setup<D>, inside: [(f64, f64); D]) -> Result<Self, sph_core::Error> {
+    pub(super) fn new(
+        setup: &Setup<D>,
+        inside: [(f64, f64); D],
+        solver: Solver,
+    ) -> Result<Self, sph_core::Error> {
         let mass = setup.mass();
         let momentum = momentum(mass, &setup.velocities);
         let spin = spin(mass, &setup.positions, &setup.velocities);
@@ -45,7 +51,10 @@ impl<const D: usize> Meter<D> {
             spacing: setup.spacing,
             rest_density: setup.rest_density,
             gravity: setup.gravity,
-            state: setup.liquid::<f64>()?.equation_of_state,
+            state: match solver {
+                Solver::Wcsph => Some(setup.liquid::<f64>()?.equation_of_state),
+                Solver::Pbf => None,
+            },
             layout: super::simulation::layout(setup, 2.0 * setup.spacing).ok(),
             momentum,
             spin,
@@ -59,19 +68,24 @@ impl<const D: usize> Meter<D> {
     pub(super) fn measure(&self, now: &Snapshot<D>) -> [f64; COLUMNS.len()] {
         let squares = now.velocities.iter().map(norm_squared);
         let potential: f64 = now.positions.iter().map(|x| -self.mass * dot(&self.gravity, x)).sum();
-        let excess = now.densities.iter().map(|density| (density / self.rest_density - 1.0).abs());
+        let excess = now.densities.iter().map(|density| density / self.rest_density - 1.0);
+        // A position-based density is the kernel's sum, which misses what lies beyond the surface: only compression counts.
+        let error = |excess: f64| if self.state.is_some() { excess.abs() } else { excess.max(0.0) };
         [
             squares.clone().map(|square| 0.5 * self.mass * square).sum(),
             potential,
             squares.fold(0.0, f64::max).sqrt(),
-            excess.sum::<f64>() / now.densities.len() as f64,
+            excess.map(error).sum::<f64>() / now.densities.len() as f64,
             self.least_spacing(now),
         ]
     }
 
     /// The values of [`LAST_COLUMNS`].
     pub(super) fn measure_last(&self, now: &Snapshot<D>) -> [f64; LAST_COLUMNS.len()] {
-        let compression = now.densities.iter().map(|&density| self.mass * self.state.energy(density)).sum();
+        let energy = |state: EquationOfState<f64>| {
+            now.densities.iter().map(|&density| self.mass * state.energy(density)).sum()
+        };
+        let compression = self.state.map_or(0.0, energy);
         let momentum = momentum(self.mass, &now.velocities);
         let spin = spin(self.mass, &now.positions, &now.velocities);
         let change = |now: &[f64], then: &[f64]| {
@@ -101,12 +115,23 @@ impl<const D: usize> Meter<D> {
 
     /// The least distance of two particles, in first spacings; 2 where none are nearer than that.
     fn least_spacing(&self, now: &Snapshot<D>) -> f64 {
-        let Some(layout) = self.layout else { return f64::NAN };
+        self.nearest(now).map_or(f64::NAN, |nearest| nearest.into_iter().fold(2.0, f64::min))
+    }
+
+    /// The share of particles whose nearest neighbour is nearer than so many spacings, at most 2.
+    pub(super) fn share_nearer_than(&self, spacings: f64, now: &Snapshot<D>) -> f64 {
+        let share = |nearest: Vec<f64>| {
+            nearest.iter().filter(|&&nearest| nearest < spacings).count() as f64 / nearest.len() as f64
+        };
+        self.nearest(now).map_or(f64::NAN, share)
+    }
+
+    /// The distance of each particle to the nearest other, in first spacings; 2 where none is nearer than that.
+    fn nearest(&self, now: &Snapshot<D>) -> Option<Vec<f64>> {
+        let layout = self.layout?;
         let mut starts = vec![0_u32; layout.cells() + 1];
         let mut entries = vec![0_u32; now.positions.len()];
-        let Ok(search) = CellGrid::build(layout, &now.positions, &mut starts, &mut entries) else {
-            return f64::NAN;
-        };
+        let search = CellGrid::build(layout, &now.positions, &mut starts, &mut entries).ok()?;
         let reach = 2.0 * self.spacing;
         let least_at = |(i, x): (usize, &[f64; D])| {
             let mut least = reach * reach;
@@ -115,10 +140,9 @@ impl<const D: usize> Meter<D> {
                     least = least.min(neighbour.distance_squared);
                 }
             });
-            least
+            least.sqrt() / self.spacing
         };
-        let least = now.positions.par_iter().enumerate().map(least_at).reduce(|| reach * reach, f64::min);
-        least.sqrt() / self.spacing
+        Some(now.positions.par_iter().enumerate().map(least_at).collect())
     }
 }
 

@@ -11,7 +11,9 @@ mod drive;
 mod folder;
 mod frame;
 mod measure;
+mod pbf;
 mod reference;
+mod rows;
 mod series;
 mod setup;
 mod simulation;
@@ -33,7 +35,7 @@ use crate::failure::Failure;
 use crate::kernel_choice::KernelName;
 use crate::scalar_choice::ScalarName;
 use case::Case;
-use drive::{Drive, ROWS_A_FRAME};
+use drive::{Drive, Means, ROWS_A_FRAME};
 use folder::Folder;
 
 /// What can be simulated.
@@ -49,13 +51,17 @@ pub enum CaseName {
     TaylorGreen,
     /// the start of a channel flow (Morris 1997); profile against the series solution
     Poiseuille,
+    /// a box turned through a script, shown as lamps; height and level against those of the volume put in
+    Tilt,
 }
 
 /// How it is simulated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Solver {
-    /// weakly compressible SPH
+    /// weakly compressible SPH: stands against experiment
     Wcsph,
+    /// position-based fluid, as microcontrollers run it: dam-break and tilt
+    Pbf,
 }
 
 /// What to simulate, and where to.
@@ -63,18 +69,18 @@ pub enum Solver {
 pub struct Options {
     /// The case.
     pub case: CaseName,
-    /// The solver.
-    pub solver: Solver,
+    /// The solver; `None` for pbf where the case is tilt, else wcsph.
+    pub solver: Option<Solver>,
     /// Dimensions: 2, or 3 for the dam break.
     pub dim: usize,
     /// Particles across the case's length; `None` for the case's own.
     pub resolution: Option<u32>,
     /// Seconds to simulate; `None` for the case's own.
     pub time: Option<f64>,
-    /// The number type: f64 or f32.
-    pub scalar: ScalarName,
-    /// The kernel.
-    pub kernel: KernelName,
+    /// The number type: f64 or f32 for wcsph, any but f64 for pbf; `None` for the first of these.
+    pub scalar: Option<ScalarName>,
+    /// The kernel of wcsph; `None` for wendland-c2. pbf has its own, poly6.
+    pub kernel: Option<KernelName>,
     /// The directory of the results.
     pub out: PathBuf,
     /// Seconds from frame to frame; `None` for a fiftieth of the time.
@@ -107,6 +113,7 @@ impl CaseName {
             Self::DamBreak if dim == 3 => 20,
             Self::DamBreak | Self::Hydrostatic | Self::Drop | Self::Poiseuille => 40,
             Self::TaylorGreen => 50,
+            Self::Tilt => 32,
         }
     }
 }
@@ -136,80 +143,119 @@ pub fn run(options: &Options, progress: &ProgressBar) -> Result<Summary, Failure
         let (least, most) = (RESOLUTIONS.start(), RESOLUTIONS.end());
         return Err(Failure::usage(format!("--resolution {resolution}: expected {least} to {most}")));
     }
-    if options.kernel.is_singular() {
-        return Err(Failure::usage(format!("--kernel {}: it diverges at r = 0", options.kernel.name())));
-    }
     if options.dim == 3 && options.case != CaseName::DamBreak {
         return Err(Failure::usage(format!("--dim 3: {} has two dimensions", options.case.name())));
     }
+    let means = options.means()?;
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(options.threads.unwrap_or(0))
         .build()
         .map_err(|error| Failure::input(format!("cannot start the threads: {error}")))?;
-    let rounding = if options.scalar == ScalarName::F64 { 1e-12 } else { 1e-4 };
+    let rounding = if means.scalar == ScalarName::F64 { 1e-12 } else { 1e-4 };
+    let job = Job { options, means, resolution, progress };
     pool.install(|| match (options.case, options.dim) {
-        (CaseName::DamBreak, 3) => {
-            simulate::<3>(options, resolution, &case::DamBreak { resolution }, progress)
-        }
-        (CaseName::DamBreak, _) => {
-            simulate::<2>(options, resolution, &case::DamBreak { resolution }, progress)
-        }
-        (CaseName::Hydrostatic, _) => {
-            simulate(options, resolution, &case::Hydrostatic { resolution }, progress)
-        }
-        (CaseName::Drop, _) => simulate(options, resolution, &case::Drop { resolution, rounding }, progress),
-        (CaseName::TaylorGreen, _) => {
-            simulate(options, resolution, &case::TaylorGreen { resolution, rounding }, progress)
-        }
-        (CaseName::Poiseuille, _) => {
-            simulate(options, resolution, &case::Poiseuille { resolution }, progress)
-        }
+        (CaseName::DamBreak, 3) => job.simulate::<3>(&case::DamBreak { resolution }),
+        (CaseName::DamBreak, _) => job.simulate::<2>(&case::DamBreak { resolution }),
+        (CaseName::Hydrostatic, _) => job.simulate(&case::Hydrostatic { resolution }),
+        (CaseName::Drop, _) => job.simulate(&case::Drop { resolution, rounding }),
+        (CaseName::TaylorGreen, _) => job.simulate(&case::TaylorGreen { resolution, rounding }),
+        (CaseName::Poiseuille, _) => job.simulate(&case::Poiseuille { resolution }),
+        (CaseName::Tilt, _) => job.simulate(&case::Tilt { resolution }),
     })
 }
 
-fn simulate<const D: usize>(
-    options: &Options,
+impl Options {
+    /// What is simulated with, where the options do not contradict each other.
+    fn means(&self) -> Result<Means, Failure> {
+        let usual = if self.case == CaseName::Tilt { Solver::Pbf } else { Solver::Wcsph };
+        let solver = self.solver.unwrap_or(usual);
+        match solver {
+            Solver::Wcsph => {
+                let scalar = self.scalar.unwrap_or(ScalarName::F64);
+                if !matches!(scalar, ScalarName::F64 | ScalarName::F32) {
+                    let message =
+                        format!("--scalar {}: --solver wcsph computes in f64 or f32", word(&scalar));
+                    return Err(Failure::usage(message));
+                }
+                let kernel = self.kernel.unwrap_or(KernelName::WendlandC2);
+                if kernel.is_singular() {
+                    return Err(Failure::usage(format!("--kernel {}: it diverges at r = 0", kernel.name())));
+                }
+                Ok(Means { solver, scalar, kernel })
+            }
+            Solver::Pbf => {
+                let scalar = self.scalar.unwrap_or(ScalarName::F32);
+                let kernel = self.kernel.unwrap_or(KernelName::Poly6);
+                if !matches!(self.case, CaseName::DamBreak | CaseName::Tilt) {
+                    let name = self.case.name();
+                    return Err(Failure::usage(format!(
+                        "--solver pbf: for dam-break and tilt, not for {name}"
+                    )));
+                }
+                if scalar == ScalarName::F64 {
+                    let message = "--scalar f64: --solver pbf computes in f32, fast32 or fixed point";
+                    return Err(Failure::usage(message));
+                }
+                if kernel != KernelName::Poly6 {
+                    let name = kernel.name();
+                    return Err(Failure::usage(format!("--kernel {name}: --solver pbf has its own, poly6")));
+                }
+                Ok(Means { solver, scalar, kernel })
+            }
+        }
+    }
+}
+
+/// A run whose options make sense.
+#[derive(Clone, Copy)]
+struct Job<'a> {
+    options: &'a Options,
+    means: Means,
     resolution: u32,
-    case: &dyn Case<D>,
-    progress: &ProgressBar,
-) -> Result<Summary, Failure> {
-    let duration = options.time.unwrap_or_else(|| case.duration());
-    let every = options.every.unwrap_or(duration / FRAMES);
-    if every > duration {
-        return Err(Failure::usage(format!("--every {every}: longer than the {duration} s simulated")));
+    progress: &'a ProgressBar,
+}
+
+impl Job<'_> {
+    fn simulate<const D: usize>(self, case: &dyn Case<D>) -> Result<Summary, Failure> {
+        let Self { options, means, resolution, progress } = self;
+        let duration = options.time.unwrap_or_else(|| case.duration());
+        let every = options.every.unwrap_or(duration / FRAMES);
+        if every > duration {
+            return Err(Failure::usage(format!("--every {every}: longer than the {duration} s simulated")));
+        }
+        if duration / every > MOST_FRAMES {
+            return Err(Failure::usage(format!(
+                "--every {every}: more than {MOST_FRAMES} frames in the {duration} s simulated"
+            )));
+        }
+        let particulars = json!({
+            "case": options.case.name(),
+            "solver": word(&means.solver),
+            "dim": D,
+            "resolution": resolution,
+            "scalar": word(&means.scalar),
+            "kernel": means.kernel.name(),
+            "every": every,
+        });
+        let mut drive = Drive::new(case, means, every)?;
+        let mut folder = Folder::open(&options.out, options.force, options.resume, particulars.clone())?;
+        let start = Instant::now();
+        let mut last = folder.resume(&mut drive)?;
+        let before = folder.wall_seconds();
+        let frames = drive.frames_in(duration);
+        progress.set_length(frames.saturating_sub(1) * ROWS_A_FRAME);
+        progress.set_position(drive.frames.saturating_sub(1) * ROWS_A_FRAME);
+        progress.reset_eta();
+        while drive.frames < frames {
+            let snapshot = drive.next_frame(duration, progress)?;
+            folder.add_frame(&drive, &snapshot, before + start.elapsed().as_secs_f64())?;
+            last = Some(snapshot);
+        }
+        progress.finish_and_clear();
+        let last = last.ok_or_else(|| Failure::input("nothing was simulated"))?;
+        let wall = before + start.elapsed().as_secs_f64();
+        let mut summary = Summary::new(&drive, &last, particulars, wall);
+        summary.files = folder.finish(&drive, &last, &summary)?;
+        Ok(summary)
     }
-    if duration / every > MOST_FRAMES {
-        return Err(Failure::usage(format!(
-            "--every {every}: more than {MOST_FRAMES} frames in the {duration} s simulated"
-        )));
-    }
-    let particulars = json!({
-        "case": options.case.name(),
-        "solver": word(&options.solver),
-        "dim": D,
-        "resolution": resolution,
-        "scalar": word(&options.scalar),
-        "kernel": options.kernel.name(),
-        "every": every,
-    });
-    let mut drive = Drive::new(case, options.scalar, options.kernel, every)?;
-    let mut folder = Folder::open(&options.out, options.force, options.resume, particulars.clone())?;
-    let start = Instant::now();
-    let mut last = folder.resume(&mut drive)?;
-    let before = folder.wall_seconds();
-    let frames = drive.frames_in(duration);
-    progress.set_length(frames.saturating_sub(1) * ROWS_A_FRAME);
-    progress.set_position(drive.frames.saturating_sub(1) * ROWS_A_FRAME);
-    progress.reset_eta();
-    while drive.frames < frames {
-        let snapshot = drive.next_frame(duration, progress)?;
-        folder.add_frame(&drive, &snapshot, options.scalar, before + start.elapsed().as_secs_f64())?;
-        last = Some(snapshot);
-    }
-    progress.finish_and_clear();
-    let last = last.ok_or_else(|| Failure::input("nothing was simulated"))?;
-    let wall = before + start.elapsed().as_secs_f64();
-    let mut summary = Summary::new(&drive, &last, particulars, wall);
-    summary.files = folder.finish(&drive, &last, &summary)?;
-    Ok(summary)
 }

@@ -23,7 +23,10 @@ pub(super) struct Setup<const D: usize> {
     pub(super) state: State,
     pub(super) rest_density: f64,
     pub(super) sound_speed: f64,
+    /// Gravity at the start.
     pub(super) gravity: [f64; D],
+    /// Gravity at a time.
+    pub(super) gravity_at: fn(f64) -> [f64; D],
     pub(super) artificial_viscosity: f64,
     pub(super) kinematic_viscosity: f64,
     pub(super) density_diffusion: f64,

@@ -1,11 +1,11 @@
 //! A liquid on threads: the core's slices with `Vec`s behind them.
 
 use rayon::prelude::*;
-use sph_core::fluid::wcsph::{Executor, Forces, Limits, Particles, Scheme, WallState};
-use sph_core::{CellLayout, Error, Scalar};
+use sph_core::fluid::wcsph::{Executor, Forces, Limits, Particles, Scheme, Seen, WallState};
+use sph_core::{CellLayout, Error, Influence, Scalar};
 
+use super::rows::{Finder, MARGIN};
 use super::setup::Setup;
-use crate::kernel_choice::{AnyInfluence, KernelName};
 
 /// Spread over rayon's threads.
 struct Threads;
@@ -47,12 +47,17 @@ pub(super) trait Simulate<const D: usize> {
     fn restore(&mut self, snapshot: &Snapshot<D>, steps: u64);
 }
 
-/// A weakly compressible liquid in scalar T.
-pub(super) struct Simulation<T, const D: usize> {
-    scheme: Scheme<T, D, AnyInfluence<T, D>>,
+/// A weakly compressible liquid in scalar T, its fluid kept in the order of cells.
+pub(super) struct Simulation<T, const D: usize, W> {
+    scheme: Scheme<T, D, W>,
     limits: Limits<T>,
+    gravity: fn(f64) -> [f64; D],
     time: f64,
     steps: u64,
+    /// Steps since the fluid was sorted.
+    unsorted: u32,
+    /// The number of each fluid particle in the setup and in snapshots.
+    ids: Vec<u32>,
     positions: Vec<[T; D]>,
     velocities: Vec<[T; D]>,
     densities: Vec<T>,
@@ -61,19 +66,26 @@ pub(super) struct Simulation<T, const D: usize> {
     drifts: Vec<[T; D]>,
     rates: Vec<T>,
     walls: Vec<WallState<T, D>>,
-    starts: Vec<u32>,
-    entries: Vec<u32>,
+    seen: Vec<Seen<T, D>>,
+    finder: Finder<T, D>,
 }
 
-impl<T: Scalar, const D: usize> Simulation<T, D> {
-    /// The fluid of a setup, ready for its first step.
-    pub(super) fn new(setup: &Setup<D>, kernel: KernelName) -> Result<Self, Error> {
+/// Steps from sorting to sorting.
+const SORT_EVERY: u32 = 64;
+
+impl<T: Scalar, const D: usize, W: Influence<T, D> + Copy + Sync> Simulation<T, D, W> {
+    /// The fluid of a setup, ready for its first step; `influence` makes W for a support radius.
+    pub(super) fn new(
+        setup: &Setup<D>,
+        influence: impl FnOnce(T) -> Result<W, Error>,
+    ) -> Result<Self, Error> {
         let liquid = setup.liquid::<T>()?;
         let support = setup.reach * setup.spacing;
+        let by_rows = !setup.periodic.contains(&true);
         let scheme = Scheme {
             liquid,
-            influence: AnyInfluence::new(kernel, T::from_f64(support))?,
-            layout: layout(setup, support)?,
+            influence: influence(T::from_f64(support))?,
+            layout: layout(setup, if by_rows { support * (1.0 + MARGIN) } else { support })?,
             mass: T::from_f64(setup.mass()),
         };
         let (fluid, walls) = (setup.positions.len(), setup.walls.len());
@@ -83,32 +95,32 @@ impl<T: Scalar, const D: usize> Simulation<T, D> {
             density: liquid.equation_of_state.rest_density(),
             velocity: [T::ZERO; D],
         };
-        let mut velocities: Vec<_> = setup.velocities.iter().map(narrow).collect();
-        velocities.resize(fluid + walls, [T::ZERO; D]);
         let of_pressure = |&pressure: &f64| liquid.equation_of_state.density(T::from_f64(pressure));
-        let mut densities: Vec<_> = setup.pressures.iter().map(of_pressure).collect();
-        densities.resize(fluid + walls, rest.density);
+        let rows_for = by_rows.then_some(T::from_f64(support));
         let mut simulation = Self {
             scheme,
             limits: setup.limits(),
+            gravity: setup.gravity_at,
             time: 0.0,
             steps: 0,
+            unsorted: 0,
+            ids: (0..fluid as u32).collect(),
             positions: setup.positions.iter().chain(&setup.walls).map(narrow).collect(),
-            velocities,
-            densities,
-            pressures: vec![T::ZERO; fluid + walls],
+            velocities: setup.velocities.iter().map(narrow).collect(),
+            densities: setup.pressures.iter().map(of_pressure).collect(),
+            pressures: vec![T::ZERO; fluid],
             forces: vec![Forces::NONE; fluid],
             drifts: vec![[T::ZERO; D]; fluid],
             rates: vec![T::ZERO; fluid],
             walls: vec![rest; walls],
-            starts: vec![0; scheme.layout.cells() + 1],
-            entries: vec![0; fluid + walls],
+            seen: vec![Seen::NONE; fluid + walls],
+            finder: Finder::new(fluid + walls, scheme.layout.cells(), rows_for),
         };
         simulation.prepare()?;
         Ok(simulation)
     }
 
-    fn particles(&mut self) -> (Scheme<T, D, AnyInfluence<T, D>>, Particles<'_, T, D, u32>) {
+    fn particles(&mut self) -> (Scheme<T, D, W>, Particles<'_, T, D, &mut Finder<T, D>>) {
         let particles = Particles {
             positions: &mut self.positions,
             velocities: &mut self.velocities,
@@ -118,20 +130,45 @@ impl<T: Scalar, const D: usize> Simulation<T, D> {
             drifts: &mut self.drifts,
             rates: &mut self.rates,
             walls: &mut self.walls,
-            starts: &mut self.starts,
-            entries: &mut self.entries,
+            seen: &mut self.seen,
+            search: &mut self.finder,
         };
         (self.scheme, particles)
     }
+
+    /// Sorts the fluid by cells, and by number in each: an order that follows from the positions alone.
+    fn sort(&mut self) -> Result<(), Error> {
+        let mut place = vec![0_u32; self.ids.len()];
+        for (k, &id) in self.ids.iter().enumerate() {
+            place[id as usize] = k as u32;
+        }
+        let by_id: Vec<[T; D]> = place.iter().map(|&k| self.positions[k as usize]).collect();
+        self.ids = self.finder.order(&self.scheme.layout, &by_id)?;
+        let from: Vec<usize> = self.ids.iter().map(|&id| place[id as usize] as usize).collect();
+        gather(&mut self.positions, &from);
+        gather(&mut self.velocities, &from);
+        gather(&mut self.densities, &from);
+        gather(&mut self.pressures, &from);
+        gather(&mut self.forces, &from);
+        self.finder.forget();
+        self.unsorted = 0;
+        Ok(())
+    }
 }
 
-/// Cells as wide as the support, over the box of the setup.
+/// values[k] = old values[from[k]], for as many as `from` has.
+fn gather<U: Copy>(values: &mut [U], from: &[usize]) {
+    let gathered: Vec<U> = from.iter().map(|&k| values[k]).collect();
+    values[..gathered.len()].copy_from_slice(&gathered);
+}
+
+/// Cells of this width, over the box of the setup.
 pub(super) fn layout<T: Scalar, const D: usize>(
     setup: &Setup<D>,
-    support: f64,
+    width: f64,
 ) -> Result<CellLayout<T, D>, Error> {
     let counts = std::array::from_fn(|axis| {
-        ((setup.upper[axis] - setup.lower[axis]) / support).floor().clamp(1.0, 1e6) as u32
+        ((setup.upper[axis] - setup.lower[axis]) / width).floor().clamp(1.0, 1e6) as u32
     });
     let (lower, upper) = (setup.lower.map(T::from_f64), setup.upper.map(T::from_f64));
     let mut layout = CellLayout::bounded(&lower, &upper, counts)?;
@@ -141,9 +178,13 @@ pub(super) fn layout<T: Scalar, const D: usize>(
     Ok(layout)
 }
 
-impl<T: Scalar, const D: usize> Simulate<D> for Simulation<T, D> {
+impl<T: Scalar, const D: usize, W: Influence<T, D> + Copy + Sync> Simulate<D> for Simulation<T, D, W> {
     fn advance(&mut self, until: f64) -> Result<(), Error> {
         while self.time < until {
+            if self.unsorted == SORT_EVERY {
+                self.sort()?;
+            }
+            self.scheme.liquid.gravity = (self.gravity)(self.time).map(T::from_f64);
             let (limits, left) = (self.limits, until - self.time);
             let (scheme, mut particles) = self.particles();
             let longest = scheme.stable_step(&particles, &limits).to_f64();
@@ -153,26 +194,35 @@ impl<T: Scalar, const D: usize> Simulate<D> for Simulation<T, D> {
             scheme.step(&mut particles, dt, &Threads)?;
             self.time = if steps > 1.0 { self.time + dt.to_f64() } else { until };
             self.steps += 1;
+            self.unsorted += 1;
         }
         Ok(())
     }
 
     fn prepare(&mut self) -> Result<(), Error> {
+        self.sort()?;
+        self.scheme.liquid.gravity = (self.gravity)(self.time).map(T::from_f64);
         let (scheme, mut particles) = self.particles();
         scheme.prepare(&mut particles, &Threads)
     }
 
     fn snapshot(&self) -> Snapshot<D> {
-        let fluid = self.forces.len();
-        let wide = |vectors: &[[T; D]]| vectors.iter().map(|vector| vector.map(T::to_f64)).collect();
-        let wide_scalars = |values: &[T]| values.iter().map(|value| value.to_f64()).collect();
-        Snapshot {
+        let fluid = self.ids.len();
+        let mut snapshot = Snapshot {
             time: self.time,
-            positions: wide(&self.positions[..fluid]),
-            velocities: wide(&self.velocities[..fluid]),
-            densities: wide_scalars(&self.densities[..fluid]),
-            pressures: wide_scalars(&self.pressures[..fluid]),
+            positions: vec![[0.0; D]; fluid],
+            velocities: vec![[0.0; D]; fluid],
+            densities: vec![0.0; fluid],
+            pressures: vec![0.0; fluid],
+        };
+        for (k, &id) in self.ids.iter().enumerate() {
+            let id = id as usize;
+            snapshot.positions[id] = self.positions[k].map(T::to_f64);
+            snapshot.velocities[id] = self.velocities[k].map(T::to_f64);
+            snapshot.densities[id] = self.densities[k].to_f64();
+            snapshot.pressures[id] = self.pressures[k].to_f64();
         }
+        snapshot
     }
 
     fn steps(&self) -> u64 {
@@ -182,14 +232,11 @@ impl<T: Scalar, const D: usize> Simulate<D> for Simulation<T, D> {
     fn restore(&mut self, snapshot: &Snapshot<D>, steps: u64) {
         (self.time, self.steps) = (snapshot.time, steps);
         let narrow = |vector: &[f64; D]| vector.map(T::from_f64);
-        for (to, from) in self.positions.iter_mut().zip(&snapshot.positions) {
-            *to = narrow(from);
-        }
-        for (to, from) in self.velocities.iter_mut().zip(&snapshot.velocities) {
-            *to = narrow(from);
-        }
-        for (to, &from) in self.densities.iter_mut().zip(&snapshot.densities) {
-            *to = T::from_f64(from);
+        for (k, &id) in self.ids.iter().enumerate() {
+            let id = id as usize;
+            self.positions[k] = narrow(&snapshot.positions[id]);
+            self.velocities[k] = narrow(&snapshot.velocities[id]);
+            self.densities[k] = T::from_f64(snapshot.densities[id]);
         }
     }
 }

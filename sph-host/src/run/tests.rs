@@ -8,12 +8,12 @@ use super::*;
 fn options(case: CaseName, resolution: u32, out: &Path) -> Options {
     Options {
         case,
-        solver: Solver::Wcsph,
+        solver: None,
         dim: 2,
         resolution: Some(resolution),
         time: None,
-        scalar: ScalarName::F64,
-        kernel: KernelName::WendlandC2,
+        scalar: None,
+        kernel: None,
         out: out.to_owned(),
         every: None,
         resume: false,
@@ -24,7 +24,8 @@ fn options(case: CaseName, resolution: u32, out: &Path) -> Options {
 
 /// Drives a case in a quarter of the usual frames, and gives its checks.
 fn checks<const D: usize>(case: &dyn Case<D>, scalar: ScalarName, duration: f64) -> Vec<(String, f64)> {
-    let mut drive = Drive::new(case, scalar, KernelName::WendlandC2, duration / 10.0).unwrap();
+    let means = Means { solver: Solver::Wcsph, scalar, kernel: KernelName::WendlandC2 };
+    let mut drive = Drive::new(case, means, duration / 10.0).unwrap();
     let progress = ProgressBar::hidden();
     let mut last = drive.next_frame(duration, &progress).unwrap();
     while drive.frames < drive.frames_in(duration) {
@@ -101,7 +102,7 @@ fn threads_and_interruptions_change_no_bit() {
         let set = |out: &Path, time: f64| Options {
             time: Some(time),
             every: Some(0.01),
-            scalar,
+            scalar: Some(scalar),
             threads: Some(3),
             ..options(CaseName::DamBreak, 8, out)
         };
@@ -153,7 +154,7 @@ fn contradictions_are_wrong_usage() {
         Options { dim: 3, ..base.clone() },
         Options { resolution: Some(2), ..base.clone() },
         Options { every: Some(1.0), ..base.clone() },
-        Options { scalar: ScalarName::I16f16, ..base },
+        Options { scalar: Some(ScalarName::I16f16), ..base },
     ];
     for options in wrong {
         assert_eq!(run(&options, &ProgressBar::hidden()).unwrap_err().status(), 2, "{options:?}");

@@ -9,12 +9,13 @@ use sph_host::io;
 use crate::support::{Columns, Folder};
 
 /// The cases: name, time, particles at resolution 8, the series' own columns, the plot.
-const CASES: [(&str, &str, usize, &str, &str); 5] = [
+const CASES: [(&str, &str, usize, &str, &str); 6] = [
     ("dam-break", "0.02", 128, "front_x", "front.png"),
     ("hydrostatic", "0.02", 64, "pressure_error", "pressure.png"),
     ("drop", "0.0005", 0, "semi_axis_x,semi_axis_y", "semi_axes.png"),
     ("taylor-green", "0.05", 64, "decay_error", "decay.png"),
     ("poiseuille", "0.01", 64, "profile_error", "profile.png"),
+    ("tilt", "0.1", 24, "fluid_height", "tilt.png"),
 ];
 
 const SERIES: &str = "time,kinetic_energy,potential_energy,max_speed,mean_density_error,min_spacing,";

@@ -6,5 +6,6 @@ mod support;
 
 mod again;
 mod files;
+mod pbf;
 mod process;
 mod words;

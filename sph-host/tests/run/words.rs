@@ -6,7 +6,7 @@ use crate::support::Folder;
 fn the_list_names_every_case() {
     let folder = Folder::new();
     let list = folder.succeed("run --list").stdout;
-    for case in ["dam-break", "hydrostatic", "drop", "taylor-green", "poiseuille"] {
+    for case in ["dam-break", "hydrostatic", "drop", "taylor-green", "poiseuille", "tilt"] {
         assert!(list.lines().any(|line| line.starts_with(case)), "{list}");
     }
     assert!(folder.names().is_empty());
@@ -41,6 +41,12 @@ fn words_that_cannot_be_are_wrong_usage_and_make_nothing() {
         ("run --scalar f16", "f16"),
         ("run --scalar i16f16", "i16f16"),
         ("run --scalar fast32", "fast32"),
+        ("run drop --solver pbf", "drop"),
+        ("run tilt --scalar f64", "f64"),
+        ("run tilt --kernel cubic-spline", "cubic-spline"),
+        ("run --solver pbf --scalar i4f28", "support radii"),
+        ("run tilt --solver wcsph --scalar i16f16", "i16f16"),
+        ("run tilt --dim 3", "--dim 3"),
         ("run --dim 4", "--dim"),
         ("run drop --dim 3", "--dim 3"),
         ("run --resume --force", "--force"),

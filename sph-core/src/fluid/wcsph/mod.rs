@@ -14,6 +14,7 @@
 //! |---|---|---|
 //! | `continuity` | density, with the diffusion of δ-SPH | Antuono, Colagrossi, Marrone, Molteni, Comput. Phys. Commun. 181 (2010) 532; without ∇ρ: Molteni, Colagrossi, ibid. 180 (2009) 861 |
 //! | `momentum` | pressure, viscosity | Monaghan, Annu. Rev. Astron. Astrophys. 30 (1992) 543; Morris, Fox, Zhu, J. Comput. Phys. 136 (1997) 214 |
+//! | `gradient` | the density gradient of that diffusion | as there |
 //! | `momentum` | shifting | Sun, Colagrossi, Marrone, Antuono, Zhang, Comput. Methods Appl. Mech. Eng. 348 (2019) 912, with the stress of Adami, Hu, Adams, J. Comput. Phys. 241 (2013) 292 |
 //! | `wall` | pressure and velocity of wall particles | Adami, Hu, Adams, J. Comput. Phys. 231 (2012) 7057 |
 //! | `step` | kick, drift, kick | the same, sect. 2.6 |
@@ -22,7 +23,9 @@
 //! reaches, with the spacing and the mass of the fluid. A free surface needs nothing: the sums miss what is not there.
 
 mod continuity;
+mod gradient;
 mod momentum;
+mod pairs;
 mod step;
 mod time_step;
 mod wall;
@@ -31,6 +34,7 @@ mod wall;
 mod tests;
 
 pub use momentum::Forces;
+pub use pairs::{Cells, Pairs, Search};
 pub use step::{Executor, Particles, Sequential};
 pub use time_step::Limits;
 pub use wall::WallState;
@@ -82,37 +86,34 @@ impl<T: Scalar, const D: usize, W: Influence<T, D>> Scheme<T, D, W> {
 pub struct State<'a, T, const D: usize> {
     /// How many particles are fluid.
     pub fluid: usize,
-    /// v_j; of a wall particle the velocity that viscosity sees (see [`WallState`]).
-    pub velocities: &'a [[T; D]],
-    /// ρ_j
-    pub densities: &'a [T],
-    /// p_j
-    pub pressures: &'a [T],
+    /// Each particle as its neighbours see it.
+    pub seen: &'a [Seen<T, D>],
     /// δv, with which the fluid is shifted.
     pub drifts: &'a [[T; D]],
 }
 
-/// One particle as a pair sees it.
-#[derive(Clone, Copy)]
-struct Seen<T, const D: usize> {
-    velocity: [T; D],
+/// One particle as its neighbours see it, with the quotients that each of them would work out again.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Seen<T, const D: usize> {
+    /// v_j; of a wall particle the velocity that viscosity sees (see [`WallState`]).
+    pub velocity: [T; D],
     density: T,
     pressure: T,
+    /// V_j = m/ρ_j
+    volume: T,
+    /// p_j/ρ_j²
+    push: T,
 }
 
 impl<T: Scalar, const D: usize> Seen<T, D> {
-    /// p/ρ²
-    #[inline(always)]
-    fn push(&self) -> T {
-        self.pressure / (self.density * self.density)
-    }
-}
+    /// No particle yet.
+    pub const NONE: Self =
+        Self { velocity: [T::ZERO; D], density: T::ONE, pressure: T::ZERO, volume: T::ZERO, push: T::ZERO };
 
-impl<T: Scalar, const D: usize> State<'_, T, D> {
+    /// A particle of mass m.
     #[inline(always)]
-    fn seen(&self, j: usize) -> Option<Seen<T, D>> {
-        let (&velocity, &density, &pressure) =
-            (self.velocities.get(j)?, self.densities.get(j)?, self.pressures.get(j)?);
-        Some(Seen { velocity, density, pressure })
+    pub fn new(mass: T, velocity: [T; D], density: T, pressure: T) -> Self {
+        Self { velocity, density, pressure, volume: mass / density, push: pressure / (density * density) }
     }
 }

@@ -8,9 +8,9 @@
 //! v̂ = v½ + δv, v½ itself without shifting. Second order, and the same backwards
 //! in time where nothing dissipates.
 
-use super::{Forces, Limits, Scheme, State, WallState};
+use super::{Forces, Limits, Scheme, Search, Seen, State, WallState};
 use crate::vector::{add, norm_squared, scale};
-use crate::{CellGrid, CellLayout, Error, Index, Influence, Parameter, Scalar, check};
+use crate::{Error, Influence, Parameter, Scalar, check};
 
 /// How a loop over particles is run: one after another, or spread over threads. Each result depends on its number alone, so
 /// every executor gives the same bits.
@@ -36,14 +36,14 @@ impl Executor for Sequential {
 ///
 /// The caller sets positions, fluid velocities and fluid densities; all else is worked out from them.
 #[derive(Debug)]
-pub struct Particles<'a, T, const D: usize, I> {
+pub struct Particles<'a, T, const D: usize, S> {
     /// x of fluid and walls.
     pub positions: &'a mut [[T; D]],
-    /// v of fluid and walls.
+    /// v of the fluid.
     pub velocities: &'a mut [[T; D]],
-    /// ρ of fluid and walls.
+    /// ρ of the fluid.
     pub densities: &'a mut [T],
-    /// p of fluid and walls.
+    /// p of the fluid.
     pub pressures: &'a mut [T],
     /// Forces on the fluid: their number says how many particles are fluid.
     pub forces: &'a mut [Forces<T, D>],
@@ -53,51 +53,29 @@ pub struct Particles<'a, T, const D: usize, I> {
     pub rates: &'a mut [T],
     /// The states of the walls.
     pub walls: &'a mut [WallState<T, D>],
-    /// Cells + 1 indices of the search.
-    pub starts: &'a mut [I],
-    /// An index of the search for each particle.
-    pub entries: &'a mut [I],
+    /// Fluid and walls as their neighbours see them.
+    pub seen: &'a mut [Seen<T, D>],
+    /// What finds neighbours.
+    pub search: S,
 }
 
-/// The search and the state that the sums read, and the slices that they fill.
-struct Parts<'a, T, const D: usize, I> {
-    search: CellGrid<'a, T, I, D>,
-    state: State<'a, T, D>,
-    forces: &'a mut [Forces<T, D>],
-    rates: &'a mut [T],
-    walls: &'a mut [WallState<T, D>],
-}
-
-impl<T: Scalar, const D: usize, I: Index> Particles<'_, T, D, I> {
+impl<T: Scalar, const D: usize, S> Particles<'_, T, D, S> {
     /// The lengths agree.
     fn check(&self) -> Result<(), Error> {
         let (all, fluid) = (self.positions.len(), self.forces.len());
-        check::length(self.velocities.len(), all, Parameter::Velocity)?;
-        check::length(self.densities.len(), all, Parameter::Density)?;
-        check::length(self.pressures.len(), all, Parameter::Value)?;
+        check::length(self.seen.len(), all, Parameter::Value)?;
+        check::length(self.velocities.len(), fluid, Parameter::Velocity)?;
+        check::length(self.densities.len(), fluid, Parameter::Density)?;
+        check::length(self.pressures.len(), fluid, Parameter::Value)?;
         check::length(self.drifts.len(), fluid, Parameter::Velocity)?;
         check::length(self.rates.len(), fluid, Parameter::Density)?;
         check::length(self.walls.len(), all.saturating_sub(fluid), Parameter::Position)
     }
 
-    /// What the sums read, and beside it the slices that they fill.
-    fn parts(&mut self, layout: CellLayout<T, D>) -> Parts<'_, T, D, I> {
-        let state = State {
-            fluid: self.forces.len(),
-            velocities: self.velocities,
-            densities: self.densities,
-            pressures: self.pressures,
-            drifts: self.drifts,
-        };
-        let search = CellGrid::from_sorted(layout, self.positions, self.starts, self.entries);
-        Parts { search, state, forces: self.forces, rates: self.rates, walls: self.walls }
-    }
-
     /// The greatest speed and the greatest acceleration of the fluid.
     pub fn extremes(&self) -> (T, T) {
         let greatest = |squares: T, vector: &[T; D]| squares.max(norm_squared(vector));
-        let fluid = self.velocities.iter().take(self.forces.len());
-        let speed = fluid.fold(T::ZERO, greatest);
+        let speed = self.velocities.iter().fold(T::ZERO, greatest);
         let pull = self.forces.iter().map(|force| &force.acceleration).fold(T::ZERO, greatest);
         (speed.sqrt(), pull.sqrt())
     }
@@ -108,11 +86,11 @@ impl<T: Scalar, const D: usize, W: Influence<T, D> + Sync> Scheme<T, D, W> {
     /// caller has changed any of these.
     ///
     /// # Errors
-    /// [`Error::LengthMismatch`] where slices do not agree, and what [`CellGrid::build`] reports: [`Error::NotFinite`] or
+    /// [`Error::LengthMismatch`] where slices do not agree, and what [`Search::find`] reports: [`Error::NotFinite`] or
     /// [`Error::OutsideDomain`] for a particle that is nowhere.
-    pub fn prepare<I: Index>(
+    pub fn prepare<S: Search<T, D>>(
         &self,
-        particles: &mut Particles<T, D, I>,
+        particles: &mut Particles<T, D, S>,
         executor: &impl Executor,
     ) -> Result<(), Error> {
         particles.check()?;
@@ -124,9 +102,9 @@ impl<T: Scalar, const D: usize, W: Influence<T, D> + Sync> Scheme<T, D, W> {
     ///
     /// # Errors
     /// As [`prepare`](Self::prepare); the particles are then lost.
-    pub fn step<I: Index>(
+    pub fn step<S: Search<T, D>>(
         &self,
-        particles: &mut Particles<T, D, I>,
+        particles: &mut Particles<T, D, S>,
         dt: T,
         executor: &impl Executor,
     ) -> Result<(), Error> {
@@ -148,12 +126,12 @@ impl<T: Scalar, const D: usize, W: Influence<T, D> + Sync> Scheme<T, D, W> {
     }
 
     /// The longest stable step from here.
-    pub fn stable_step<I: Index>(&self, particles: &Particles<T, D, I>, limits: &Limits<T>) -> T {
+    pub fn stable_step<S>(&self, particles: &Particles<T, D, S>, limits: &Limits<T>) -> T {
         let (speed, acceleration) = particles.extremes();
         self.longest_step(limits, speed, acceleration)
     }
 
-    fn drift<I>(&self, particles: &mut Particles<T, D, I>, dt: T) {
+    fn drift<S>(&self, particles: &mut Particles<T, D, S>, dt: T) {
         let moving = particles.velocities.iter().zip(particles.drifts.iter());
         for (position, (velocity, drift)) in particles.positions.iter_mut().zip(moving) {
             let moved = add(position, &scale(&add(velocity, drift), dt));
@@ -161,48 +139,53 @@ impl<T: Scalar, const D: usize, W: Influence<T, D> + Sync> Scheme<T, D, W> {
         }
     }
 
-    fn update_rates<I: Index>(
+    fn update_rates<S: Search<T, D>>(
         &self,
-        particles: &mut Particles<T, D, I>,
+        particles: &mut Particles<T, D, S>,
         executor: &impl Executor,
     ) -> Result<(), Error> {
-        CellGrid::build(self.layout, particles.positions, particles.starts, particles.entries)?;
-        let Parts { search, state, forces, rates, .. } = particles.parts(self.layout);
-        executor.fill(rates, |i| self.density_rate(&search, &state, forces, i).unwrap_or(T::ZERO));
+        for (seen, velocity) in particles.seen.iter_mut().zip(particles.velocities.iter()) {
+            seen.velocity = *velocity;
+        }
+        let (forces, fluid) = (&*particles.forces, particles.forces.len());
+        let pairs = particles.search.find(&self.layout, particles.positions, fluid)?;
+        let state = State { fluid, seen: particles.seen, drifts: particles.drifts };
+        executor.fill(particles.rates, |i| self.density_rate(&pairs, &state, forces, i).unwrap_or(T::ZERO));
         Ok(())
     }
 
-    fn update_forces<I: Index>(
+    fn update_forces<S: Search<T, D>>(
         &self,
-        particles: &mut Particles<T, D, I>,
+        particles: &mut Particles<T, D, S>,
         executor: &impl Executor,
     ) -> Result<(), Error> {
-        CellGrid::build(self.layout, particles.positions, particles.starts, particles.entries)?;
         let of_fluid = particles.pressures.iter_mut().zip(particles.densities.iter());
-        for (pressure, &density) in of_fluid.take(particles.forces.len()) {
+        for (pressure, &density) in of_fluid {
             *pressure = self.liquid.equation_of_state.pressure(density);
         }
-        self.update_walls(particles, executor);
-        let Parts { search, state, forces, .. } = particles.parts(self.layout);
-        executor.fill(forces, |i| self.forces(&search, &state, i).unwrap_or(Forces::NONE));
-        Ok(())
-    }
-
-    fn update_walls<I: Index>(&self, particles: &mut Particles<T, D, I>, executor: &impl Executor) {
-        let Parts { search, state, walls, .. } = particles.parts(self.layout);
-        let rest = WallState::at_rest(&self.liquid.equation_of_state);
-        executor
-            .fill(walls, |wall| self.wall(&search, &state, state.fluid.wrapping_add(wall)).unwrap_or(rest));
-        let of_walls = particles.velocities.iter_mut().zip(particles.densities.iter_mut());
-        let of_walls = of_walls.zip(particles.pressures.iter_mut()).skip(particles.forces.len());
-        for (((velocity, density), pressure), wall) in of_walls.zip(particles.walls.iter()) {
-            (*velocity, *density, *pressure) = (wall.velocity, wall.density, wall.pressure);
+        let states =
+            particles.velocities.iter().zip(particles.densities.iter()).zip(particles.pressures.iter());
+        for (seen, ((&velocity, &density), &pressure)) in particles.seen.iter_mut().zip(states) {
+            *seen = Seen::new(self.mass, velocity, density, pressure);
         }
+        let fluid = particles.forces.len();
+        let pairs = particles.search.find(&self.layout, particles.positions, fluid)?;
+        let state = State { fluid, seen: particles.seen, drifts: particles.drifts };
+        let rest = WallState::at_rest(&self.liquid.equation_of_state);
+        executor.fill(particles.walls, |wall| {
+            self.wall(&pairs, &state, fluid.wrapping_add(wall)).unwrap_or(rest)
+        });
+        for (seen, wall) in particles.seen.iter_mut().skip(fluid).zip(particles.walls.iter()) {
+            *seen = Seen::new(self.mass, wall.velocity, wall.density, wall.pressure);
+        }
+        let state = State { fluid, seen: particles.seen, drifts: particles.drifts };
+        executor.fill(particles.forces, |i| self.forces(&pairs, &state, i).unwrap_or(Forces::NONE));
+        Ok(())
     }
 }
 
 /// v + Δt a, of the fluid.
-fn kick<T: Scalar, const D: usize, I>(particles: &mut Particles<T, D, I>, dt: T) {
+fn kick<T: Scalar, const D: usize, S>(particles: &mut Particles<T, D, S>, dt: T) {
     for (velocity, force) in particles.velocities.iter_mut().zip(particles.forces.iter()) {
         *velocity = add(velocity, &scale(&force.acceleration, dt));
     }

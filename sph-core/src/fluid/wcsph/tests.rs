@@ -38,6 +38,11 @@ fn scheme<T: Scalar>() -> Scheme<T, 2, W<T>> {
     }
 }
 
+/// All particles as seen, of mass 0.01.
+fn seen(velocities: &[[f64; 2]; N], densities: &[f64; N], pressures: &[f64; N]) -> [Seen<f64, 2>; N] {
+    core::array::from_fn(|i| Seen::new(0.01, velocities[i], densities[i], pressures[i]))
+}
+
 fn near(found: f64, expected: f64) {
     assert!((found - expected).abs() <= 1e-12 * expected.abs().max(1.0), "{found} {expected}");
 }
@@ -48,13 +53,7 @@ fn the_fused_sums_are_those_of_the_fields() {
     let mut scheme = scheme::<f64>();
     let pressures: [f64; N] = core::array::from_fn(|i| libm::cos(i as f64));
     let drifts = [[0.0; 2]; N];
-    let state = State {
-        fluid: N,
-        velocities: &velocities,
-        densities: &densities,
-        pressures: &pressures,
-        drifts: &drifts,
-    };
+    let state = State { fluid: N, seen: &seen(&velocities, &densities, &pressures), drifts: &drifts };
     let search = BruteForce::new(&positions).unwrap();
     let volumes = Sources::new(&search, Uniform(0.01 / 1.01)).unwrap();
     let w = &scheme.influence.clone();
@@ -103,8 +102,8 @@ fn run_free_cloud<T: Scalar>(scheme: &Scheme<T, 2, W<T>>, steps: usize) -> ([f64
         drifts: &mut [[T::ZERO; 2]; N],
         rates: &mut [T::ZERO; N],
         walls: &mut [],
-        starts: &mut [0_u8; 10],
-        entries: &mut [0_u8; N],
+        seen: &mut [Seen::NONE; N],
+        search: Cells { starts: &mut [0_u8; 10], entries: &mut [0_u8; N] },
     };
     scheme.prepare(&mut particles, &Sequential).unwrap();
     for _ in 0..steps {
@@ -131,6 +130,36 @@ fn momentum_is_kept_to_rounding() {
 }
 
 #[test]
+fn the_gradient_of_density_is_that_of_the_field() {
+    let positions = cloud::<f64>();
+    let densities: [f64; N] = core::array::from_fn(|i| 1.0 + 0.1 * libm::sin(i as f64));
+    let mut scheme = scheme::<f64>();
+    scheme.liquid.density_diffusion = 0.1;
+    let search = BruteForce::new(&positions).unwrap();
+    let volumes = densities.map(|density| 0.01 / density);
+    let sources = Sources::new(&search, volumes.as_slice()).unwrap();
+    let field = Field::new(&sources, &densities).unwrap();
+    let gradient = |densities: &[f64; N], i| {
+        let seen = seen(&[[0.0; 2]; N], densities, &[0.0; N]);
+        scheme
+            .forces(&search, &State { fluid: N, seen: &seen, drifts: &[[0.0; 2]; N] }, i)
+            .unwrap()
+            .density_gradient
+    };
+    for i in 0..N {
+        let expected = field.corrected_gradient(&scheme.influence, i).unwrap();
+        for axis in 0..2 {
+            near(gradient(&densities, i)[axis], expected[axis]);
+        }
+    }
+    let alone = [[0.0, 0.0], [0.1, 0.0]];
+    let search = BruteForce::new(&alone).unwrap();
+    let seen = [1.0, 2.0].map(|density| Seen::new(0.01, [0.0; 2], density, 0.0));
+    let force = scheme.forces(&search, &State { fluid: 2, seen: &seen, drifts: &[[0.0; 2]; 2] }, 0).unwrap();
+    assert_eq!(force.density_gradient, [0.0; 2], "two particles span a line");
+}
+
+#[test]
 fn walls_extrapolate_a_linear_pressure_and_push_only() {
     let mut scheme = scheme::<f64>();
     scheme.liquid.gravity = [0.3, -2.0];
@@ -141,19 +170,16 @@ fn walls_extrapolate_a_linear_pressure_and_push_only() {
     let pressures = positions.map(|x| pressure_at(&x));
     let (velocities, densities, drifts) = ([[0.5, -0.25]; N], [1.0; N], [[0.0; 2]; N - 1]);
     let search = BruteForce::new(&positions).unwrap();
-    let state = |pressures| State {
-        fluid: N - 1,
-        velocities: &velocities,
-        densities: &densities,
-        pressures,
-        drifts: &drifts,
+    let state = |pressures| seen(&velocities, &densities, pressures);
+    let wall_of = |seen: &[Seen<f64, 2>; N]| {
+        scheme.wall(&search, &State { fluid: N - 1, seen, drifts: &drifts }, N - 1).unwrap()
     };
-    let wall = scheme.wall(&search, &state(&pressures), N - 1).unwrap();
+    let wall = wall_of(&state(&pressures));
     near(wall.pressure, pressure_at(&positions[N - 1]));
     near(scheme.liquid.equation_of_state.pressure(wall.density), wall.pressure);
     near(wall.velocity[0], -0.5);
     near(wall.velocity[1], 0.25);
-    let wall = scheme.wall(&search, &state(&[-5.0; N]), N - 1).unwrap();
+    let wall = wall_of(&state(&[-5.0; N]));
     assert_eq!((wall.pressure, wall.density), (0.0, 1.0));
 }
 
@@ -183,8 +209,8 @@ fn slices_that_do_not_agree_and_lost_particles_are_errors() {
         drifts: &mut [[0.0; 2]; N],
         rates: &mut [0.0; N],
         walls: &mut [],
-        starts: &mut [0_u8; 10],
-        entries: &mut [0_u8; N],
+        seen: &mut [Seen::NONE; N],
+        search: Cells { starts: &mut [0_u8; 10], entries: &mut [0_u8; N] },
     };
     let error = scheme.prepare(&mut particles, &Sequential).unwrap_err();
     assert_eq!(error, crate::Error::NotFinite { parameter: crate::Parameter::Position, index: 7 });

@@ -7,11 +7,11 @@
 //! Source: S. Adami, X. Y. Hu, N. A. Adams, *A generalized wall boundary condition for smoothed particle hydrodynamics*,
 //! J. Comput. Phys. 231 (2012) 7057, eqs. (23), (27), for walls that stand still. Suction is left out, so that fluid comes free.
 
-use super::{Scheme, State};
+use super::{Pairs, Scheme, State};
 use crate::field::Quantity;
 use crate::fluid::EquationOfState;
 use crate::vector::{dot, scale};
-use crate::{Accumulator, Influence, Neighbours, Scalar};
+use crate::{Accumulator, Influence, Scalar};
 
 /// What a wall particle shows the fluid.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,20 +34,15 @@ impl<T: Scalar, const D: usize> WallState<T, D> {
 
 impl<T: Scalar, const D: usize, W: Influence<T, D>> Scheme<T, D, W> {
     /// The state of wall particle i from the fluid in reach; `None` where there is no such particle.
-    pub fn wall(
-        &self,
-        search: &impl Neighbours<T, D>,
-        state: &State<T, D>,
-        i: usize,
-    ) -> Option<WallState<T, D>> {
-        let x = search.positions().get(i)?;
+    pub fn wall(&self, pairs: &impl Pairs<T, D>, state: &State<T, D>, i: usize) -> Option<WallState<T, D>> {
+        state.seen.get(i)?;
         let (mut norm, mut pressure) = (T::Sum::ZERO, T::Sum::ZERO);
         let mut velocity = <[T; D] as Quantity<T>>::EMPTY;
-        search.for_each(x, self.influence.support_radius(), |neighbour| {
+        pairs.for_each_of(i, self.influence.support_radius(), |neighbour| {
             if neighbour.index >= state.fluid {
                 return;
             }
-            let Some(other) = state.seen(neighbour.index) else { return };
+            let Some(other) = state.seen.get(neighbour.index) else { return };
             let weight = self.influence.influence(neighbour.distance_squared);
             let weighed = other.density * dot(&self.liquid.gravity, &neighbour.offset);
             norm.add(weight);

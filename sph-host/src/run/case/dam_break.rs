@@ -60,6 +60,11 @@ impl DamBreak {
     }
 }
 
+/// Gravity, along the last axis.
+fn down<const D: usize>(_: f64) -> [f64; D] {
+    std::array::from_fn(|axis| if axis + 1 == D { -GRAVITY } else { 0.0 })
+}
+
 /// Pressure over ρ g in the column, from the left wall and the bed.
 fn first_pressure(x: f64, z: f64) -> f64 {
     let height = 2.0 * WIDTH;
@@ -80,8 +85,6 @@ impl<const D: usize> Case<D> for DamBreak {
         let positions: Vec<[f64; D]> =
             cells([0; D], self.counts(1, 2)).iter().map(|cell| centre(cell, spacing)).collect();
         let density = 1000.0;
-        let mut gravity = [0.0; D];
-        gravity[D - 1] = -GRAVITY;
         let tank = self.counts(4, WALL_HEIGHT);
         let margin = 3.0 * spacing;
         Setup {
@@ -90,7 +93,8 @@ impl<const D: usize> Case<D> for DamBreak {
             state: State::Tait,
             rest_density: density,
             sound_speed: 10.0 * (2.0 * GRAVITY * 2.0 * WIDTH).sqrt(),
-            gravity,
+            gravity: down(0.0),
+            gravity_at: down,
             artificial_viscosity: 0.03,
             kinematic_viscosity: 0.0,
             density_diffusion: 0.1,

@@ -88,6 +88,7 @@ impl Case<2> for Drop {
             rest_density: DENSITY,
             sound_speed: 1400.0,
             gravity: [0.0; 2],
+            gravity_at: |_| [0.0; 2],
             artificial_viscosity: 0.0,
             kinematic_viscosity: 0.0,
             density_diffusion: 0.1,

@@ -1,4 +1,7 @@
-//! Water at uniform density in a tank settles under gravity until its pressure is ρ g (H − z).
+//! Water at uniform density in a tank, gravity brought up over a second, settles until its pressure is ρ g (H − z).
+//!
+//! Set on at once, gravity makes the water ring up and down with 2 % of the pressure at the bed, and what damps that weakens with
+//! resolution.
 
 use super::{Case, View};
 use crate::picture::plot::{Mark, Plot, Series as Curve};
@@ -12,6 +15,15 @@ const GRAVITY: f64 = 9.81;
 const DENSITY: f64 = 1000.0;
 /// H; the tank is as wide.
 const DEPTH: f64 = 1.0;
+
+/// The seconds in which gravity comes up.
+const ONSET: f64 = 1.0;
+
+/// Gravity along z at a time: a fifth-order smooth step.
+fn gravity(time: f64) -> [f64; 2] {
+    let s = (time / ONSET).clamp(0.0, 1.0);
+    [0.0, -GRAVITY * s * s * s * (10.0 - s * (15.0 - 6.0 * s))]
+}
 
 /// The tank at rest.
 pub(in crate::run) struct Hydrostatic {
@@ -45,12 +57,13 @@ impl Case<2> for Hydrostatic {
             rest_density: DENSITY,
             sound_speed: 10.0 * (2.0 * GRAVITY * DEPTH).sqrt(),
             gravity: [0.0, -GRAVITY],
+            gravity_at: gravity,
             artificial_viscosity: 0.1,
             kinematic_viscosity: 0.0,
             density_diffusion: 0.1,
             shift_speed: 0.0,
             velocities: vec![[0.0; 2]; positions.len()],
-            pressures: positions.iter().map(|x| DENSITY * GRAVITY * (DEPTH - x[1])).collect(),
+            pressures: vec![0.0; positions.len()],
             positions,
             walls: walls([n, n + n / 2], reach.ceil() as i64, [(true, true), (true, false)], spacing),
             lower: [-margin; 2],

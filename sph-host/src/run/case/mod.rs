@@ -5,23 +5,27 @@ mod drop;
 mod hydrostatic;
 mod poiseuille;
 mod taylor_green;
+mod tilt;
 
 pub(super) use dam_break::DamBreak;
 pub(super) use drop::Drop;
 pub(super) use hydrostatic::Hydrostatic;
 pub(super) use poiseuille::Poiseuille;
 pub(super) use taylor_green::TaylorGreen;
+pub(super) use tilt::Tilt;
 
 use serde_json::{Map, Value};
 
+use super::frame;
 use super::series::{Check, Series};
 use super::setup::Setup;
 use super::simulation::Snapshot;
 use crate::picture::plot::Plot;
+use crate::picture::{Image, PictureError};
 
 /// The files of all plots.
-pub(super) const PLOTS: [&str; 5] =
-    [dam_break::PLOT, drop::PLOT, hydrostatic::PLOT, poiseuille::PLOT, taylor_green::PLOT];
+pub(super) const PLOTS: [&str; 6] =
+    [dam_break::PLOT, drop::PLOT, hydrostatic::PLOT, poiseuille::PLOT, taylor_green::PLOT, tilt::PLOT];
 
 /// What pictures show.
 pub(super) struct View {
@@ -66,6 +70,11 @@ pub(super) trait Case<const D: usize> {
 
     /// What pictures show.
     fn view(&self) -> View;
+
+    /// The picture of a frame.
+    fn picture(&self, now: &Snapshot<D>, title: &str) -> Result<Image, PictureError> {
+        frame::particles(now, &self.view(), title)
+    }
 }
 
 /// Momentum and angular momentum, for cases without walls.

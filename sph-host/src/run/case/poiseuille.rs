@@ -63,6 +63,7 @@ impl Case<2> for Poiseuille {
             rest_density: 1000.0,
             sound_speed: 10.0 * FORCE * WIDTH * WIDTH / (8.0 * VISCOSITY),
             gravity: [FORCE, 0.0],
+            gravity_at: |_| [FORCE, 0.0],
             artificial_viscosity: 0.0,
             kinematic_viscosity: VISCOSITY,
             density_diffusion: 0.1,

@@ -4,6 +4,8 @@
 
 use std::f64::consts::PI;
 
+use sph_core::vector::{norm_squared, scale, sub};
+
 use super::{Case, View, conservation};
 use crate::picture::plot::{Mark, Plot, Series as Curve};
 use crate::run::series::{Check, Series};
@@ -27,6 +29,12 @@ fn exact(time: f64) -> f64 {
     (-16.0 * PI * PI * time / REYNOLDS).exp()
 }
 
+/// The velocity at the start.
+fn vortices([x, y]: &[f64; 2]) -> [f64; 2] {
+    let k = 2.0 * PI;
+    [-(k * x).cos() * (k * y).sin(), (k * x).sin() * (k * y).cos()]
+}
+
 impl Case<2> for TaylorGreen {
     fn setup(&self) -> Setup<2> {
         let n = i64::from(self.resolution);
@@ -44,14 +52,12 @@ impl Case<2> for TaylorGreen {
             rest_density: 1.0,
             sound_speed: 10.0,
             gravity: [0.0; 2],
+            gravity_at: |_| [0.0; 2],
             artificial_viscosity: 0.0,
             kinematic_viscosity: 1.0 / REYNOLDS,
             density_diffusion: 0.1,
             shift_speed: 1.0,
-            velocities: positions
-                .iter()
-                .map(|[x, y]| [-(k * x).cos() * (k * y).sin(), (k * x).sin() * (k * y).cos()])
-                .collect(),
+            velocities: positions.iter().map(vortices).collect(),
             pressures: positions
                 .iter()
                 .map(|[x, y]| -0.25 * ((2.0 * k * x).cos() + (2.0 * k * y).cos()))
@@ -69,13 +75,18 @@ impl Case<2> for TaylorGreen {
     }
 
     fn columns(&self) -> &'static [&'static str] {
-        &["decay_error"]
+        &["decay_error", "velocity_error"]
     }
 
     fn measure(&self, now: &Snapshot<2>) -> Vec<f64> {
-        let squares: f64 = now.velocities.iter().map(|[u, v]| u * u + v * v).sum();
+        let count = now.velocities.len() as f64;
+        let squares: f64 = now.velocities.iter().map(norm_squared).sum();
+        let decay = exact(now.time).sqrt();
+        let error = |(x, v): (&[f64; 2], &[f64; 2])| norm_squared(&sub(v, &scale(&vortices(x), decay)));
+        let errors: f64 = now.positions.iter().zip(&now.velocities).map(error).sum();
         // ⟨u² + v²⟩ is U²/2 at the start
-        vec![squares / now.velocities.len() as f64 / 0.5 / exact(now.time) - 1.0]
+        let energy = 0.5 * exact(now.time);
+        vec![squares / count / energy - 1.0, (errors / count / energy).sqrt()]
     }
 
     fn checks(&self, series: &Series, _: &Snapshot<2>) -> Vec<Check> {
