@@ -47,7 +47,10 @@ impl<T: Real, const D: usize> Cells<T, D> {
         sorted.par_chunks_mut(CHUNK).enumerate().for_each_init(Found::default, |found, (chunk, out)| {
             let masses = masses.as_deref();
             let kernel = PhantomData::<K>;
-            T::dispatch(self.level, Density { cells: self, first: chunk * CHUNK, constant, masses, out, found, kernel });
+            T::dispatch(
+                self.level,
+                Density { cells: self, first: chunk * CHUNK, constant, masses, out, found, kernel },
+            );
         });
         let mut density = vec![T::ZERO; self.len()];
         for (&index, &value) in self.sorted.order.iter().zip(&sorted) {

@@ -116,9 +116,15 @@ impl<T: Real, const D: usize> Fields<'_, T, D> {
             let (fields, points, constants, first) = (self, &points, &constants[..], chunk * CHUNK);
             let Some(level) = self.parts.first().map(|part| part.cells.level) else { return };
             let kernel = PhantomData::<K>;
-            T::dispatch(level, At { fields, points, constants, first, gradient, values, reached, scratch, kernel });
+            T::dispatch(
+                level,
+                At { fields, points, constants, first, gradient, values, reached, scratch, kernel },
+            );
         });
-        Ok(Sums { values: unsorted(&values, row.max(1), &points.order), reached: unsorted(&reached, 1, &points.order) })
+        Ok(Sums {
+            values: unsorted(&values, row.max(1), &points.order),
+            reached: unsorted(&reached, 1, &points.order),
+        })
     }
 }
 

@@ -59,7 +59,9 @@ impl<T: Real, const D: usize, K: Kernel> Job<T> for At<'_, T, D, K> {
     fn run<I: Isa<T>, const N: usize>(self, isa: I) {
         let row = self.values.len() / self.reached.len();
         let width = self.fields.width;
-        for (k, (values, reached)) in self.values.chunks_exact_mut(row).zip(self.reached.iter_mut()).enumerate() {
+        for (k, (values, reached)) in
+            self.values.chunks_exact_mut(row).zip(self.reached.iter_mut()).enumerate()
+        {
             let x = self.points.position(self.first + k);
             for (part, &constant) in self.fields.parts.iter().zip(self.constants) {
                 let one = OnePart { part, constant, x: &x, width };
@@ -91,7 +93,8 @@ impl<T: Real, const D: usize> OnePart<'_, T, D> {
         scratch: &mut Scratch<T>,
     ) -> u32 {
         let limits = self.part.own.map(|own| &own.squares[..]);
-        let count = collect::<T, D, I, true, true>(isa, self.part.cells, limits, self.x, &mut scratch.found, 0);
+        let count =
+            collect::<T, D, I, true, true>(isa, self.part.cells, limits, self.x, &mut scratch.found, 0);
         if count == 0 {
             return 0;
         }
@@ -122,7 +125,11 @@ impl<T: Real, const D: usize> OnePart<'_, T, D> {
             Some(own) => {
                 let places = found.places[..count].iter();
                 let inverses = places.map(|&place| own.inverses[place as usize]);
-                fill(&mut scratch.squares, T::ONE, squares.zip(inverses).map(|(&r2, inverse)| r2 * (inverse * inverse)));
+                fill(
+                    &mut scratch.squares,
+                    T::ONE,
+                    squares.zip(inverses).map(|(&r2, inverse)| r2 * (inverse * inverse)),
+                );
             }
         }
     }
@@ -139,8 +146,13 @@ impl<T: Real, const D: usize> OnePart<'_, T, D> {
                     fill(&mut scratch.offsets[axis], T::ZERO, offsets.map(|offset| offset * inverse));
                 }
                 Some(own) => {
-                    let inverses = scratch.found.places[..count].iter().map(|&place| own.inverses[place as usize]);
-                    fill(&mut scratch.offsets[axis], T::ZERO, offsets.zip(inverses).map(|(offset, inverse)| offset * inverse));
+                    let inverses =
+                        scratch.found.places[..count].iter().map(|&place| own.inverses[place as usize]);
+                    fill(
+                        &mut scratch.offsets[axis],
+                        T::ZERO,
+                        offsets.zip(inverses).map(|(offset, inverse)| offset * inverse),
+                    );
                 }
             }
         }
@@ -197,7 +209,9 @@ impl<T: Real, const D: usize> OnePart<'_, T, D> {
 
 /// f(q) and, for gradients, f′(q) / q of all that was found.
 #[inline(always)]
-fn kernels<T: Real, K: Kernel, const D: usize, const N: usize, const GRADIENT: bool>(scratch: &mut Scratch<T>) {
+fn kernels<T: Real, K: Kernel, const D: usize, const N: usize, const GRADIENT: bool>(
+    scratch: &mut Scratch<T>,
+) {
     scratch.profiles.resize(scratch.squares.len(), T::ZERO);
     scratch.slopes.resize(scratch.squares.len(), T::ZERO);
     let squares = scratch.squares.as_chunks::<BLOCK>().0;

@@ -90,7 +90,8 @@ impl<T: Compact, const D: usize> PositionBased<T, D> {
         let density = |(x, particle): (&[f64; D], &Particle<T, D>)| {
             let mut sum = 0.0;
             search.for_each(x, 1.0, |neighbour| sum += Poly6::profile(neighbour.distance_squared.sqrt()));
-            let share: T = T::from_near(self.walls.wall(&particle.position()).share);
+            let wall = self.walls.wall(&particle.position());
+            let share = wall.map_or(T::ZERO, |wall| T::from_near(wall.share));
             volume * sum + share.to_f64()
         };
         Some(positions.par_iter().zip(&self.particles).map(density).collect())
