@@ -9,8 +9,9 @@ use sph_core::kernel::{
     WendlandC2, WendlandC4, WendlandC6,
 };
 use sph_core::{
-    Axis, BruteForce, CellGrid, CellLayout, ClosureInfluence, Domain, Error, Field, InlineCellGrid,
-    KernelInfluence, Neighbour, NeighbourList, Open, Parameter, PerSampleInfluence, Sources, Uniform,
+    Axis, BruteForce, CellGrid, CellLayout, CellOrder, ClosureInfluence, Domain, Error, Field,
+    InlineCellGrid, KernelInfluence, Neighbour, NeighbourList, Open, Parameter, PerSampleInfluence, Sources,
+    Uniform,
 };
 
 type T = f32;
@@ -54,6 +55,7 @@ can_be_logged!(
     CellGrid<'static, T, u8, 2>,
     CellGrid<'static, T, u8, 2, Open>,
     InlineCellGrid<u8, 65, 64>,
+    CellOrder<'static, u8, 2>,
     Neighbour<T, 2>,
     NeighbourList<16, u8>,
     Uniform<T>,
@@ -65,7 +67,9 @@ can_be_logged!(
 
 #[cfg(feature = "fixed")]
 mod fixed_point {
-    use sph_core::scalar::fixed::{Check, Checked, I16F16, Saturate, Saturating, Sum, Wrap, Wrapping};
+    use sph_core::scalar::fixed::{
+        Check, Checked, I16F16, Near14, Saturate, Saturating, Sum, Wrap, Wrapping,
+    };
 
     can_be_logged!(
         Wrap,
@@ -75,6 +79,7 @@ mod fixed_point {
         Saturating<I16F16>,
         Checked<I16F16>,
         Sum<I16F16, Check>,
+        Near14,
     );
 }
 

@@ -254,6 +254,14 @@ fn take<'a, P>(rest: &mut &'a mut [P], count: usize) -> &'a mut [P] {
     first
 }
 
+/// The cells along each axis, not the particles in them.
+#[cfg(feature = "defmt")]
+impl<I, const D: usize> defmt::Format for CellOrder<'_, I, D> {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        defmt::write!(f, "CellOrder of {} cells", self.counts);
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -13,6 +13,7 @@ const WEIGHT_SHIFT: u32 = 3;
 
 /// An integer count of 2^−14 in 32 bits; see [`compact`](crate::scalar::compact). `*` rounds down.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[repr(transparent)]
 pub struct Near14(pub(super) i32);
 

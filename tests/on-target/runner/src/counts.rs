@@ -11,7 +11,7 @@ pub(crate) fn check(update: bool) -> Result<bool> {
     let mut rows = Vec::new();
     // The microbit has no SysTick that counts instructions; the larger machine runs the same code.
     for target in [Target { machine: M4F.machine, ..M0 }, M4F, RV32] {
-        let arguments = ["-p", "fluisim-firmware", "--features", "programs", "--bin", "count", "--release"];
+        let arguments = ["-p", "fluisim-firmware", "--features", "count", "--bin", "count", "--release"];
         let built = compile::build(&target, &arguments)?;
         let firmware = built.first().context("nothing was built")?;
         let outcome = qemu::run(&target, &firmware.path, &["-icount", "shift=0"])?;
