@@ -4,6 +4,7 @@ mod compile;
 mod counts;
 mod digests;
 mod elf;
+mod fluid;
 mod footprint;
 mod panics;
 mod qemu;
@@ -23,7 +24,7 @@ const USAGE: &str = "usage: tests/on-target/run [OPTION]
 Without an option, everything: the suites and the digests under QEMU, the search for panics, the footprint, the
 counts of instructions.
 
-  --only PART         one of: suites, self-check, digests, panics, footprint, counts
+  --only PART         one of: suites, self-check, digests, panics, footprint, counts, fluid
   --self-check        the same as --only self-check
   --overflow-checks   what can panic when integer overflow is checked; judges nothing
   --update            replaces the committed tables of footprints and counts
@@ -84,13 +85,14 @@ fn run(options: &Options) -> Result<bool> {
     if options.overflow_checks {
         return panics::with_overflow_checks().map(|()| true);
     }
-    let parts: [(&str, &dyn Fn() -> Result<bool>); 6] = [
+    let parts: [(&str, &dyn Fn() -> Result<bool>); 7] = [
         ("suites", &suites::check),
         ("self-check", &suites::self_check),
         ("digests", &digests::check),
         ("panics", &panics::check),
         ("footprint", &|| footprint::check(options.update)),
         ("counts", &|| counts::check(options.update)),
+        ("fluid", &|| fluid::check(options.update)),
     ];
     let chosen = |name: &str| options.only.as_deref().is_none_or(|only| only == name);
     if !parts.iter().any(|(name, _)| chosen(name)) {
