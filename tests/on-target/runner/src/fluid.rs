@@ -43,7 +43,7 @@ fn run(target: &Target, binary: &str, more: &[&str]) -> Result<Vec<String>> {
     Ok(outcome.log.iter().map(|line| format!("{},{line}", target.triple)).collect())
 }
 
-/// The code of a frame with all that it calls, and that it cannot panic.
+/// The code of a frame with all that it calls, without the storage's initial values, and that it cannot panic.
 fn flash(target: &Target, profile: &str) -> Result<Vec<String>> {
     let binaries = ["--bin", "empty", "--bin", "fluid", "--bin", "fixed_fluid"];
     let built = compile::build(
@@ -70,7 +70,7 @@ fn flash(target: &Target, profile: &str) -> Result<Vec<String>> {
                 "fixed point needs {:?}",
                 elf.soft_float()
             );
-            Ok(format!("{},{scalar},64,flash {profile},{}", target.triple, elf.flash - empty.flash))
+            Ok(format!("{},{scalar},64,flash {profile},{}", target.triple, elf.flash - empty.flash - elf.promised))
         })
         .collect()
 }
