@@ -4,7 +4,9 @@ mod escape;
 mod measure;
 
 use measure::{at, block, dam_break, drift};
-use sph_core::fluid::{BorrowedFluid, Container, Mask, OpenBox, Particle, PositionBasedFluid, Settings, Wall};
+use sph_core::fluid::{
+    BorrowedFluid, Container, Mask, OpenBox, Particle, PositionBasedFluid, Settings, Wall,
+};
 use sph_core::scalar::compact::Compact;
 
 /// The dam break is at rest, 6 deep, level, without pairs.
@@ -130,7 +132,8 @@ fn owned_and_borrowed_are_the_same() {
     }
     let (mut starts, mut ends) = ([7_u32; 49], [9; 49]);
     for _ in 0..50 {
-        let resumed = |p: &Particle<f32, 2>| Particle::new(p.position(), p.velocity()).with_pressure(p.pressure());
+        let resumed =
+            |p: &Particle<f32, 2>| Particle::new(p.position(), p.velocity()).with_pressure(p.pressure());
         particles = particles.iter().map(resumed).collect();
         let mut borrowed =
             BorrowedFluid::new(&walls, Settings::DEFAULT, &mut particles, &mut starts, &mut ends).unwrap();
@@ -143,7 +146,10 @@ fn owned_and_borrowed_are_the_same() {
     assert_eq!(bits(owned.particles()), bits(&particles));
     particles.push(at(7.0, 1.0));
     assert!(BorrowedFluid::new(&walls, Settings::DEFAULT, &mut particles, &mut starts, &mut ends).is_err());
-    assert!(BorrowedFluid::new(&walls, Settings::DEFAULT, &mut particles[..9], &mut starts[1..], &mut ends).is_err());
+    assert!(
+        BorrowedFluid::new(&walls, Settings::DEFAULT, &mut particles[..9], &mut starts[1..], &mut ends)
+            .is_err()
+    );
 }
 
 /// Two particles at each of twenty places, in the corner too, are pushed apart.

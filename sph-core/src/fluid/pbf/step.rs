@@ -40,7 +40,8 @@ impl<T: Compact, C: Container<T, D>, I: Index, const D: usize> BorrowedFluid<'_,
     /// Density, XSPH viscosity, and which pairs are in reach.
     pub(super) fn search(&mut self) {
         let (container, settings) = (self.container, self.settings);
-        let viscosity = T::Near::ratio(1, 256).times(settings.viscosity.min(if D == 2 { 128 } else { 72 }).into());
+        let viscosity =
+            T::Near::ratio(1, 256).times(settings.viscosity.min(if D == 2 { 128 } else { 72 }).into());
         self.order.sweep(
             self.particles,
             (T::Near::ZERO, Packed::<T, D>::ZERO),

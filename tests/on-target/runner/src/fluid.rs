@@ -70,7 +70,11 @@ fn flash(target: &Target, profile: &str) -> Result<Vec<String>> {
                 "fixed point needs {:?}",
                 elf.soft_float()
             );
-            Ok(format!("{},{scalar},64,flash {profile},{}", target.triple, elf.flash - empty.flash - elf.promised))
+            Ok(format!(
+                "{},{scalar},64,flash {profile},{}",
+                target.triple,
+                elf.flash - empty.flash - elf.promised
+            ))
         })
         .collect()
 }
