@@ -1,4 +1,4 @@
-//! The figures of the position-based fluid: at rest after a dam break, shaken for 100,000 frames, and its drift.
+//! A dam break on a display of 32 × 16 lamps, then figures: at rest, shaken for 100,000 frames, and its drift.
 //!
 //! `cargo run --release -p sph-core --features fixed --example pbf`
 
@@ -6,8 +6,8 @@
 #[allow(dead_code)]
 mod measure;
 
-use measure::{Noise, at, dam_break, drift, extremes, state};
-use sph_core::fluid::{OpenBox, PositionBasedFluid};
+use measure::{Noise, at, block, dam_break, drift, extremes, state};
+use sph_core::fluid::{OpenBox, PositionBasedFluid, Raster};
 use sph_core::scalar::compact::Compact;
 
 const SHAKES: usize = 100_000;
@@ -43,7 +43,27 @@ fn report<T: Compact>() {
     println!("  drift of the mean velocity over 10,000 frames, h a frame: {drifts:?}");
 }
 
+/// A dam break as a badge shows it.
+fn show() {
+    let mut fluid = PositionBasedFluid::<f32, _, 2, 384, 153>::new(OpenBox::new([16.0, 8.0]));
+    for particle in block([0.0, 0.0], 10, 14) {
+        fluid.add(particle).expect("it is inside");
+    }
+    let mut lamps = Raster::<32, 16>::new();
+    for frame in 0..=120 {
+        lamps.update(fluid.particles(), 0.5);
+        if frame % 40 == 0 {
+            println!("frame {frame}");
+            for row in lamps.lamps().iter().rev() {
+                println!("  |{}|", row.map(|lit| if lit { '#' } else { ' ' }).iter().collect::<String>());
+            }
+        }
+        fluid.step([0.0, -0.005]);
+    }
+}
+
 fn main() {
+    show();
     report::<f32>();
     #[cfg(feature = "fixed")]
     {

@@ -1,9 +1,12 @@
 //! The physics of the position-based fluid: it collapses and rests, keeps its volume and its momentum, and survives anything.
 
+mod escape;
 mod measure;
 
-use measure::{Noise, at, block, dam_break, drift, extremes, state};
-use sph_core::fluid::{Container, Disc, Mask, OpenBox, Particle, PositionBasedFluid, Settings, Shape, Wall};
+use measure::{at, block, dam_break, drift};
+use sph_core::fluid::{
+    BorrowedFluid, Container, Mask, OpenBox, Particle, PositionBasedFluid, Settings, Wall,
+};
 use sph_core::scalar::compact::Compact;
 
 /// The dam break is at rest, 6 deep, level, without pairs.
@@ -32,72 +35,6 @@ fn momentum_is_conserved_to_rounding_in_floats() {
     for change in drift::<f64>(1000, 7) {
         assert!(change.abs() < 3e-14, "{change}");
     }
-}
-
-/// Shakes with whatever `shake` gives and looks that all particles stay inside, then that the fluid calms down again.
-fn survive<T: Compact, C: Container<T, 2>, const CELLS: usize>(container: C, frames: usize) {
-    let mut fluid = PositionBasedFluid::<T, C, 2, 120, CELLS, u8>::new(container);
-    for k in 0..2000 {
-        let _ = fluid.add(at(0.3 + 0.53 * (k % 40) as f64, 0.3 + 0.53 * (k / 40) as f64));
-    }
-    let particles = fluid.len();
-    assert!(particles > 60, "{particles}");
-    let mut noise = Noise(99);
-    for frame in 0..frames {
-        fluid.step(extremes(&mut noise));
-        for particle in fluid.particles() {
-            let x = particle.position();
-            assert!(fluid.container().contains(&x), "frame {frame}: {x:?}");
-            assert!(particle.velocity().iter().all(|v| v.is_finite()), "frame {frame}: {particle:?}");
-        }
-    }
-    for _ in 0..1500 {
-        fluid.step([T::ZERO, T::ratio(-1, 250)]);
-    }
-    assert_eq!(fluid.len(), particles);
-    let calm = state(fluid.particles());
-    assert!(calm.rms_speed() < 0.01, "{}", calm.rms_speed());
-    assert!(calm.spacings()[1] > 0.6, "pairs at {:?}", &calm.spacings()[..4]);
-}
-
-/// A hash (FNV-1a) of all positions after 600 frames of a box that is turned and shaken.
-fn digest<T: Compact>() -> u64 {
-    let mut fluid =
-        PositionBasedFluid::<T, _, 2, 200, 121, u8>::new(OpenBox::new([10.0, 10.0].map(T::from_f64)));
-    for particle in block([0.5, 0.5], 14, 14) {
-        fluid.add(particle).unwrap();
-    }
-    for frame in 0..600 {
-        let turn = frame / 75;
-        fluid.step([T::ratio([0, 4, 6, 4][turn % 4], 1000), T::ratio([-6, -4, 0, 4][turn % 4], 1000)]);
-    }
-    let bits = fluid.particles().iter().flat_map(|p| p.position()).map(T::canonical_bits);
-    bits.fold(0xcbf2_9ce4_8422_2325, |hash, bits| (hash ^ bits).wrapping_mul(0x100_0000_01b3))
-}
-
-/// The same in debug and release builds, and on every target.
-#[test]
-fn the_bits_are_the_same_everywhere() {
-    assert_eq!(digest::<f32>(), 11_382_232_343_109_194_988);
-}
-
-/// Two chambers and a door.
-const BADGE: [u8; 7] =
-    [0b1111_1110, 0b1110_1110, 0b1110_1110, 0b1111_1110, 0b1110_1110, 0b1110_1110, 0b1011_1110];
-
-#[test]
-fn nothing_escapes_whatever_the_input() {
-    survive::<f32, _, 49>(OpenBox::new([6.5, 6.5]), 3000);
-    survive::<f32, _, 64>(Disc::new(3.5), 3000);
-    survive::<f32, _, 100>(Mask::new(&BADGE, 7, 1.25).unwrap(), 3000);
-    // a ring: a post in the middle of a disc, by a distance that is NaN in the very centre
-    let ring = Shape::new([9.0_f32, 9.0], |x: &[f32; 2]| {
-        let [dx, dy] = [x[0] - 4.5, x[1] - 4.5];
-        let r = dx.hypot(dy);
-        let outward = [dx / r, dy / r];
-        if r > 2.75 { (4.5 - r, outward.map(|n| -n)) } else { (r - 1.0, outward) }
-    });
-    survive::<f32, _, 100>(ring, 3000);
 }
 
 #[test]
@@ -158,31 +95,83 @@ fn particles_come_and_go() {
     assert!(cramped.add(at(1.0, 1.0)).unwrap_err().to_string().contains("cells: capacity 8, needed 9"));
 }
 
+/// 4 × 4 × 4 of fluid; the mean is taken over 200 frames, a single one's speed varying by a fifth.
 #[test]
 fn three_dimensions_come_to_rest() {
-    let settings = Settings { viscosity: 70, ..Settings::DEFAULT };
     let walls = OpenBox::new([4.0, 4.0, 6.0]);
-    let mut fluid = PositionBasedFluid::<f32, _, 3, 512, 175>::with_settings(walls, settings);
+    let mut fluid = PositionBasedFluid::<f32, _, 3, 512, 175>::with_settings(walls, Settings::IN_3D);
     for k in 0..512 {
         let place = |n: usize| 0.25 + 0.5 * n as f32;
         fluid.add(Particle::new([place(k % 4), place(k / 4 % 8), place(k / 32 % 12)], [0.0; 3])).ok();
     }
     let particles = fluid.len() as f64;
-    for _ in 0..1500 {
+    for _ in 0..1000 {
         fluid.step([0.0, 0.0, -0.004]);
     }
     let depth = particles / 8.0 / 16.0;
     let centre = fluid.particles().iter().map(|p| f64::from(p.position()[2])).sum::<f64>() / particles;
-    assert!((2.0 * centre / depth - 1.0).abs() < 0.05, "height {}", 2.0 * centre / depth);
-    let square = |p: &Particle<f32, 3>| p.velocity().iter().map(|v| f64::from(v * v)).sum::<f64>();
-    let speed = (fluid.particles().iter().map(square).sum::<f64>() / particles).sqrt();
-    assert!(speed < 0.02 * (0.004 * depth).sqrt(), "speed {speed}");
+    assert!((2.0 * centre / depth - 1.0).abs() < 0.03, "height {}", 2.0 * centre / depth);
+    let mut square = 0.0;
+    for _ in 0..200 {
+        fluid.step([0.0, 0.0, -0.004]);
+        let velocities = fluid.particles().iter().flat_map(Particle::velocity);
+        square += velocities.map(|v| f64::from(v * v)).sum::<f64>() / particles / 200.0;
+    }
+    let speed = square.sqrt() / (0.004 * depth).sqrt();
+    assert!(speed < 0.01, "speed {speed}");
+}
+
+/// The same memory, owned and borrowed, gives the same bits; so does a run that is taken up again.
+#[test]
+fn owned_and_borrowed_are_the_same() {
+    let walls = OpenBox::new([6.5_f32, 6.5]);
+    let mut owned = PositionBasedFluid::<f32, _, 2, 64, 49>::new(walls);
+    let mut particles: Vec<_> = block([0.5, 0.5], 8, 8).collect();
+    for &particle in &particles {
+        owned.add(particle).unwrap();
+    }
+    let (mut starts, mut ends) = ([7_u32; 49], [9; 49]);
+    for _ in 0..50 {
+        let resumed =
+            |p: &Particle<f32, 2>| Particle::new(p.position(), p.velocity()).with_pressure(p.pressure());
+        particles = particles.iter().map(resumed).collect();
+        let mut borrowed =
+            BorrowedFluid::new(&walls, Settings::DEFAULT, &mut particles, &mut starts, &mut ends).unwrap();
+        borrowed.step([0.003, -0.005]);
+        owned.step([0.003, -0.005]);
+    }
+    let bits = |particles: &[Particle<f32, 2>]| -> Vec<u32> {
+        particles.iter().flat_map(|p| [p.position(), p.velocity()]).flatten().map(f32::to_bits).collect()
+    };
+    assert_eq!(bits(owned.particles()), bits(&particles));
+    particles.push(at(7.0, 1.0));
+    assert!(BorrowedFluid::new(&walls, Settings::DEFAULT, &mut particles, &mut starts, &mut ends).is_err());
+    assert!(
+        BorrowedFluid::new(&walls, Settings::DEFAULT, &mut particles[..9], &mut starts[1..], &mut ends)
+            .is_err()
+    );
+}
+
+/// Two particles at each of twenty places, in the corner too, are pushed apart.
+#[test]
+fn coincident_particles_part() {
+    let mut fluid = PositionBasedFluid::<f32, _, 2, 40, 49>::new(OpenBox::new([6.5; 2]));
+    for k in 0..40 {
+        let place = |n: i32| 0.8 * f64::from(n);
+        fluid.add(at(place(k / 2 % 5), place(k / 10))).unwrap();
+    }
+    for _ in 0..800 {
+        fluid.step([0.0, -0.005]);
+    }
+    let spacings = measure::state(fluid.particles()).spacings();
+    assert!(spacings[0] > 0.5, "{:?}", &spacings[..4]);
 }
 
 #[cfg(feature = "fixed")]
 mod fixed_point {
     use super::*;
-    use sph_core::scalar::fixed::{Checked, I8F24, I16F16, I16F48, Saturating, Wrapping};
+    use sph_core::Scalar;
+    use sph_core::scalar::fixed::{Checked, I8F24, I16F16, I16F48, I32F32, Saturating, Wrapping};
 
     #[test]
     fn a_dam_break_comes_to_rest() {
@@ -191,17 +180,20 @@ mod fixed_point {
         comes_to_rest::<Checked<I16F48>>();
     }
 
+    /// What 2^−14 in 32 bits cannot tell is refused, not taken for another place.
     #[test]
-    fn nothing_escapes_whatever_the_input() {
-        fn all<T: Compact>() {
-            survive::<T, _, 49>(OpenBox::new([6.5, 6.5].map(T::from_f64)), 3000);
-            survive::<T, _, 64>(Disc::new(T::from_f64(3.5)), 3000);
-            survive::<T, _, 100>(Mask::new(&BADGE, 7, T::from_f64(1.25)).unwrap(), 3000);
+    fn positions_out_of_range_are_refused() {
+        type Number = Saturating<I32F32>;
+        let mut fluid =
+            PositionBasedFluid::<Number, _, 2, 4, 9>::new(OpenBox::new([2.0, 2.0].map(Number::from_f64)));
+        for x in [262_145.0, -262_143.0, 65_537.5, 1e9, f64::INFINITY] {
+            assert!(fluid.add(at(x, 1.0)).is_err(), "{x}");
         }
-        all::<Saturating<I16F16>>();
-        all::<Saturating<I8F24>>();
-        all::<Checked<I16F16>>();
-        all::<Wrapping<I16F16>>();
+        fluid.add(at(1.0, 1.0)).unwrap();
+        let mut wide = PositionBasedFluid::<Saturating<I8F24>, _, 2, 4, 200>::new(OpenBox::new(
+            [127.5, 0.5].map(Saturating::<I8F24>::from_f64),
+        ));
+        assert!(wide.add(at(1.0, 0.25)).is_err(), "the scalar ends too soon behind the wall");
     }
 
     /// Every push is applied with both signs, so not one unit is lost.
@@ -211,11 +203,5 @@ mod fixed_point {
             assert_eq!(drift::<Saturating<I16F16>>(10_000, seed), [0.0; 2]);
             assert_eq!(drift::<Wrapping<I8F24>>(10_000, seed), [0.0; 2]);
         }
-    }
-
-    #[test]
-    fn the_bits_are_the_same_everywhere() {
-        assert_eq!(digest::<Saturating<I16F16>>(), 10_989_626_639_518_696_453);
-        assert_eq!(digest::<Saturating<I8F24>>(), 600_764_018_129_170_373);
     }
 }

@@ -7,6 +7,7 @@
 #![no_std]
 
 mod erased;
+mod fluid;
 mod fnv;
 mod kernels;
 mod scene;
@@ -50,7 +51,18 @@ pub fn all(mut emit: impl FnMut(Item)) -> Result<(), Error> {
     items::<f32>(&mut emit)?;
     items::<f64>(&mut emit)?;
     items::<Saturating<I16F16>>(&mut emit)?;
-    items::<Saturating<I8F24>>(emit)
+    items::<Saturating<I8F24>>(&mut emit)?;
+    fluids(emit)
+}
+
+/// The digests of a moving fluid, in f32 and two fixed-point scalars.
+///
+/// # Errors
+/// As [`items`].
+pub fn fluids(mut emit: impl FnMut(Item)) -> Result<(), Error> {
+    fluid::digest::<f32>(&mut emit)?;
+    fluid::digest::<Saturating<I16F16>>(&mut emit)?;
+    fluid::digest::<Saturating<I8F24>>(&mut emit)
 }
 
 /// Every digest of one scalar.

@@ -21,14 +21,21 @@ pub fn start() {}
 
 /// Instructions since the start, modulo the counter's width.
 #[cfg(target_arch = "arm")]
-fn now() -> u32 {
+pub fn now() -> u32 {
     // SysTick counts down at 25 MHz
     (0x00ff_ffff - cortex_m::peripheral::SYST::get_current()).wrapping_mul(40)
 }
 
+/// Instructions since the start, modulo the counter's width.
 #[cfg(target_arch = "riscv32")]
-fn now() -> u32 {
+pub fn now() -> u32 {
     riscv::register::minstret::read() as u32
+}
+
+/// The instructions from one reading of [`now`] to the next, fewer than the counter's width.
+pub fn between(begin: u32, end: u32) -> u32 {
+    let taken = end.wrapping_sub(begin);
+    if cfg!(target_arch = "arm") { taken % (40 << 24) } else { taken }
 }
 
 /// The instructions that one run of the work takes, in tenths.
@@ -37,10 +44,6 @@ pub fn tenths(mut work: impl FnMut()) -> u32 {
     for _ in 0..REPEATS {
         work();
     }
-    let end = now();
-    #[cfg(target_arch = "arm")]
-    let taken = end.wrapping_sub(begin) % (40 << 24);
-    #[cfg(target_arch = "riscv32")]
-    let taken = end.wrapping_sub(begin);
+    let taken = between(begin, now());
     (u64::from(taken) * 10 / u64::from(REPEATS)) as u32
 }

@@ -3,6 +3,9 @@
 #![no_std]
 
 pub mod clock;
+pub mod fluid;
+#[cfg(target_arch = "arm")]
+pub mod stack;
 
 #[cfg(target_arch = "arm")]
 pub use cortex_m_rt::entry;

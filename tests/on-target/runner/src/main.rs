@@ -4,6 +4,7 @@ mod compile;
 mod counts;
 mod digests;
 mod elf;
+mod fluid;
 mod footprint;
 mod hardware;
 mod panics;
@@ -22,9 +23,9 @@ use toolchain::Toolchain;
 const USAGE: &str = "usage: tests/on-target/run [OPTION]
 
 Without an option, everything: the suites and the digests under QEMU, the search for panics, the footprint, the
-counts of instructions, the example for real chips.
+counts of instructions, the fluid, the example for real chips.
 
-  --only PART         one of: suites, self-check, digests, panics, footprint, counts, hardware
+  --only PART         one of: suites, self-check, digests, panics, footprint, counts, fluid, hardware
   --self-check        the same as --only self-check
   --overflow-checks   what can panic when integer overflow is checked; judges nothing
   --update            replaces the committed tables of footprints and counts
@@ -95,6 +96,7 @@ fn run(options: &Options) -> Result<bool> {
         ("panics", &panics::check),
         ("footprint", &|| footprint::check(options.update)),
         ("counts", &|| counts::check(options.update)),
+        ("fluid", &|| fluid::check(options.update)),
         ("hardware", &hardware::check),
     ];
     let chosen = |name: &str| options.only.as_deref().is_none_or(|only| only == name);

@@ -1,0 +1,23 @@
+//! A frame of a position-based fluid, in fixed point.
+#![no_std]
+#![no_main]
+
+use core::hint::black_box;
+use sph_core::fluid::{OpenBox, PositionBasedFluid};
+use sph_core::scalar::fixed::{I16F16, Saturating};
+
+type Number = Saturating<I16F16>;
+type Fluid = PositionBasedFluid<Number, OpenBox<Number, 2>, 2, 64, 64>;
+
+const SIDE: Number = Number::new(I16F16::lit("7.5"));
+const GRAVITY: [Number; 2] = [Number::new(I16F16::ZERO), Number::new(I16F16::lit("-0.005"))];
+
+struct Pendant(Fluid);
+
+impl Pendant {
+    const fn new() -> Self {
+        Self(Fluid::new(OpenBox::new([SIDE, SIDE])))
+    }
+}
+
+fluisim_footprint::firmware!(Pendant, |pendant: &mut Pendant| pendant.0.step(black_box(GRAVITY)));
