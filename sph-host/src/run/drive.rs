@@ -13,7 +13,7 @@ use super::measure::{COLUMNS, LAST_COLUMNS, Meter};
 use super::pbf::PositionBased;
 use super::series::{Check, Series};
 use super::setup::Setup;
-use super::simulation::{Simulate, Simulation, Snapshot};
+use super::simulation::{Lost, Simulate, Simulation, Snapshot};
 use crate::failure::Failure;
 use crate::kernel_choice::{AnyInfluence, KernelName};
 use crate::output::Precision;
@@ -117,7 +117,7 @@ impl<'a, const D: usize> Drive<'a, D> {
             snapshot = Some(self.row()?);
             progress.inc(1);
         }
-        self.simulation.prepare().map_err(|error| self.lost(error))?;
+        self.simulation.prepare().map_err(|error| self.lost(error.into()))?;
         self.frames += 1;
         snapshot.map_or_else(|| self.row(), Ok)
     }
@@ -174,7 +174,7 @@ impl<'a, const D: usize> Drive<'a, D> {
         Ok(now)
     }
 
-    fn lost(&self, error: sph_core::Error) -> Failure {
+    fn lost(&self, error: Lost) -> Failure {
         let time = self.series.rows.last().map_or(0.0, |row| row[0]);
         Failure::input(format!("the run failed after {time} s: {error}"))
     }

@@ -12,7 +12,7 @@ use sph_core::vector::{norm_squared, scale};
 use sph_core::{CellGrid, CellLayout, Error, Neighbours, Parameter};
 
 use super::setup::Setup;
-use super::simulation::{Simulate, Snapshot};
+use super::simulation::{Lost, Simulate, Snapshot};
 
 /// Acceleration in h a frame² times depth in spacings, as in the solver's documentation: 0.005 at twelve spacings.
 const WEIGHT: f64 = 0.06;
@@ -99,7 +99,7 @@ impl<T: Compact, const D: usize> PositionBased<T, D> {
 }
 
 impl<T: Compact, const D: usize> Simulate<D> for PositionBased<T, D> {
-    fn advance(&mut self, until: f64) -> Result<(), Error> {
+    fn advance(&mut self, until: f64) -> Result<(), Lost> {
         let wanted = (until / self.dt).round() as u64;
         let (gravity, dt, to_units, first) =
             (self.gravity, self.dt, self.dt * self.dt / self.unit, self.steps);

@@ -29,10 +29,19 @@ pub(super) struct Snapshot<const D: usize> {
     pub(super) pressures: Vec<f64>,
 }
 
+/// Why a run cannot go on.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub(super) enum Lost {
+    #[error(transparent)]
+    Core(#[from] Error),
+    #[error("a particle moves at {speed} m/s, more than twice the speed of sound, {sound} m/s")]
+    TooFast { speed: f64, sound: f64 },
+}
+
 /// A simulation whose scalar is not known.
 pub(super) trait Simulate<const D: usize> {
     /// Steps until a time and lands on it.
-    fn advance(&mut self, until: f64) -> Result<(), Error>;
+    fn advance(&mut self, until: f64) -> Result<(), Lost>;
 
     /// Works out forces anew from positions, velocities and densities: what a resumed run begins with.
     fn prepare(&mut self) -> Result<(), Error>;
@@ -179,7 +188,7 @@ pub(super) fn layout<T: Scalar, const D: usize>(
 }
 
 impl<T: Scalar, const D: usize, W: Influence<T, D> + Copy + Sync> Simulate<D> for Simulation<T, D, W> {
-    fn advance(&mut self, until: f64) -> Result<(), Error> {
+    fn advance(&mut self, until: f64) -> Result<(), Lost> {
         while self.time < until {
             if self.unsorted == SORT_EVERY {
                 self.sort()?;
@@ -187,7 +196,12 @@ impl<T: Scalar, const D: usize, W: Influence<T, D> + Copy + Sync> Simulate<D> fo
             self.scheme.liquid.gravity = (self.gravity)(self.time).map(T::from_f64);
             let (limits, left) = (self.limits, until - self.time);
             let (scheme, mut particles) = self.particles();
-            let longest = scheme.stable_step(&particles, &limits).to_f64();
+            let (speed, acceleration) = particles.extremes();
+            let sound = scheme.liquid.equation_of_state.sound_speed();
+            if speed > sound.times(2) {
+                return Err(Lost::TooFast { speed: speed.to_f64(), sound: sound.to_f64() });
+            }
+            let longest = scheme.longest_step(&limits, speed, acceleration).to_f64();
             // Equal steps for the rest of the way, so that the last one is not tiny.
             let steps = (left / longest).ceil().max(1.0);
             let dt = T::from_f64(left / steps);
