@@ -45,7 +45,13 @@ impl<const D: usize> Layout<D> {
             extent if extent > 0.0 => extent / counts[axis],
             _ => reach,
         });
-        Self { lower, inverse: width.map(|width| 1.0 / width), width, counts: counts.map(|count| count as u32), reach }
+        Self {
+            lower,
+            inverse: width.map(|width| 1.0 / width),
+            width,
+            counts: counts.map(|count| count as u32),
+            reach,
+        }
     }
 
     /// How many cells there are.
@@ -93,8 +99,10 @@ impl<const D: usize> Layout<D> {
     /// The runs of cells that hold whatever is in reach of x, in the order of the cells; returns how many.
     #[inline(always)]
     pub(super) fn runs(&self, x: &[f64; D], runs: &mut [Run; MOST_RUNS]) -> usize {
-        let (y, y_squares) = if D > 1 { self.band_distances(1, x[1]) } else { (1, [f64::INFINITY, 0.0, f64::INFINITY]) };
-        let (z, z_squares) = if D > 2 { self.band_distances(2, x[2]) } else { (1, [f64::INFINITY, 0.0, f64::INFINITY]) };
+        let (y, y_squares) =
+            if D > 1 { self.band_distances(1, x[1]) } else { (1, [f64::INFINITY, 0.0, f64::INFINITY]) };
+        let (z, z_squares) =
+            if D > 2 { self.band_distances(2, x[2]) } else { (1, [f64::INFINITY, 0.0, f64::INFINITY]) };
         let rows = if D > 1 { self.counts[1] as usize } else { 3 };
         let slices = self.counts[0] as usize;
         let mut found = 0;

@@ -94,7 +94,8 @@ impl<T: Real, const D: usize> Collect<'_, T, D> {
         let mut start = 0;
         for place in self.range {
             let x = self.points.position(place);
-            let end = collect::<T, D, I, true, PLACES>(isa, self.cells, self.own_limits, &x, self.found, start);
+            let end =
+                collect::<T, D, I, true, PLACES>(isa, self.cells, self.own_limits, &x, self.found, start);
             self.spans.push(Span { start, count: end - start });
             start = self.found.pad(end);
         }

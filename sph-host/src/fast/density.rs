@@ -76,7 +76,8 @@ impl<T: Real, const D: usize> Cells<T, D> {
             picked.clear();
             picked.resize(end, T::ZERO);
             for span in spans.iter() {
-                for (out, &place) in picked[span.particles()].iter_mut().zip(&found.places[span.particles()]) {
+                for (out, &place) in picked[span.particles()].iter_mut().zip(&found.places[span.particles()])
+                {
                     *out = masses[place as usize];
                 }
             }

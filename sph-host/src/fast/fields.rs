@@ -103,7 +103,8 @@ impl<T: Real, const D: usize> Fields<'_, T, D> {
     /// # Errors
     /// [`Error::NotFinite`] for such a point; those of [`KernelInfluence::new`].
     pub fn at<K: Kernel>(&self, points: &[[T; D]], gradient: bool) -> Result<Sums<T>, Error> {
-        let constants: Vec<T> = self.parts.iter().map(|part| part.constant::<K>()).collect::<Result<_, _>>()?;
+        let constants: Vec<T> =
+            self.parts.iter().map(|part| part.constant::<K>()).collect::<Result<_, _>>()?;
         let (lower, upper) = bounds(points)?;
         let radius = self.parts.first().map_or(1.0, |part| part.cells.radius.to_f64());
         let points = sort(&Layout::new(lower, upper, radius, points.len()), points);
@@ -124,7 +125,10 @@ impl<T: Real, const D: usize> Fields<'_, T, D> {
                 }
             }
         });
-        Ok(Sums { values: unsorted(&values, row.max(1), &points.order), reached: unsorted(&reached, 1, &points.order) })
+        Ok(Sums {
+            values: unsorted(&values, row.max(1), &points.order),
+            reached: unsorted(&reached, 1, &points.order),
+        })
     }
 }
 

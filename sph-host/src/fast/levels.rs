@@ -44,7 +44,8 @@ impl<T: Real, const D: usize> Levels<T, D> {
     pub fn sort(positions: &[[T; D]], radii: &[T]) -> Result<Self, Error> {
         check_length(radii.len(), positions.len(), Parameter::SupportRadius)?;
         radii.iter().enumerate().try_for_each(|(index, &radius)| check_radius(radius, index))?;
-        let octaves: Vec<i32> = radii.par_iter().map(|radius| radius.to_f64().log2().floor() as i32).collect();
+        let octaves: Vec<i32> =
+            radii.par_iter().map(|radius| radius.to_f64().log2().floor() as i32).collect();
         let mut distinct = octaves.clone();
         distinct.par_sort_unstable();
         distinct.dedup();

@@ -111,7 +111,9 @@ pub(super) fn bounds<T: Real, const D: usize>(positions: &[[T; D]]) -> Result<([
     let (lower, upper, finite) = positions
         .par_chunks(CHUNK)
         .map(|positions| {
-            positions.iter().fold(empty, |(lower, upper, finite), x| join((lower, upper, finite), (*x, *x, is_finite(x))))
+            positions
+                .iter()
+                .fold(empty, |(lower, upper, finite), x| join((lower, upper, finite), (*x, *x, is_finite(x))))
         })
         .reduce(|| empty, join);
     let parameter = Parameter::Position;

@@ -141,7 +141,11 @@ impl Reciprocal {
 
     #[inline(always)]
     fn quotient(self, dividend: u32) -> usize {
-        if self.0 == 0 { dividend as usize } else { ((u128::from(dividend) * u128::from(self.0)) >> 64) as usize }
+        if self.0 == 0 {
+            dividend as usize
+        } else {
+            ((u128::from(dividend) * u128::from(self.0)) >> 64) as usize
+        }
     }
 }
 

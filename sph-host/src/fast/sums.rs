@@ -64,7 +64,13 @@ impl<T: Real, const D: usize> Group<'_, T, D> {
 
     /// Fills a list with a number for each particle found, and with zeros between.
     #[inline(always)]
-    fn fill(list: &mut Vec<T>, spans: &[Span], places: &[u32], end: usize, value: impl Fn(usize, usize) -> T) {
+    fn fill(
+        list: &mut Vec<T>,
+        spans: &[Span],
+        places: &[u32],
+        end: usize,
+        value: impl Fn(usize, usize) -> T,
+    ) {
         if list.len() < end {
             list.resize(end, T::ZERO);
         }
@@ -211,7 +217,8 @@ impl<T: Real, const D: usize> SumUp<'_, T, D> {
         for (span, values) in spans.iter().zip(self.values.chunks_exact_mut(stride * width)) {
             let values = &mut values[field * stride..][..stride];
             let blocks = span.padded();
-            values[0] += products::<T, N>(&picked[blocks.clone()], &found.squares[blocks.clone()]) * *constant;
+            values[0] +=
+                products::<T, N>(&picked[blocks.clone()], &found.squares[blocks.clone()]) * *constant;
             if *gradient {
                 for axis in 0..D {
                     let (c, f, x) =

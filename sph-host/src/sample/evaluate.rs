@@ -105,9 +105,8 @@ pub(super) fn names(particles: &Particles, gradient: bool) -> Vec<String> {
 /// Rows of numbers as named columns.
 pub(super) fn columns(names: Vec<String>, rows: &[f64]) -> Vec<Column> {
     let width = names.len();
-    let column = |(column, name)| {
-        Column::new(name, rows.iter().skip(column).step_by(width).copied().collect())
-    };
+    let column =
+        |(column, name)| Column::new(name, rows.iter().skip(column).step_by(width).copied().collect());
     names.into_iter().enumerate().map(column).collect()
 }
 

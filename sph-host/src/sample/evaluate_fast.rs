@@ -62,10 +62,13 @@ fn evaluate_with<T: Real, const D: usize, K: Kernel>(
     for (batch, rows) in rows.chunks_mut(width * BATCH).enumerate() {
         let first = batch * BATCH;
         if let Some(densities) = &weights.at_particles {
-            rows.par_chunks_exact_mut(width).zip(&densities[first..]).for_each(|(row, density)| row[0] = density.to_f64());
+            rows.par_chunks_exact_mut(width)
+                .zip(&densities[first..])
+                .for_each(|(row, density)| row[0] = density.to_f64());
         }
         let skip = usize::from(weights.at_particles.is_some());
-        counts = counts + plan.batch::<T, D, K>(&fields, points, first, Rows { rows, width, skip }).map_err(failed)?;
+        counts = counts
+            + plan.batch::<T, D, K>(&fields, points, first, Rows { rows, width, skip }).map_err(failed)?;
         progress.inc((rows.len() / width) as u64);
     }
     let columns = columns(names, &rows);
@@ -132,7 +135,8 @@ impl<T: Real> Weights<T> {
         let masses = particles.masses.as_ref().map(|masses| column(masses, "mass")).transpose()?;
         let given = particles.densities.as_ref().map(|rho| column(rho, "density")).transpose()?;
         let has_fields = !particles.quantities.is_empty();
-        let at_particles = request.at == Where::AtParticles && !request.gradient && matches!(set, Set::Cells(_));
+        let at_particles =
+            request.at == Where::AtParticles && !request.gradient && matches!(set, Set::Cells(_));
         let summed = match &masses {
             Some(masses) if at_particles || (has_fields && given.is_none()) => {
                 Some(set.densities::<K>(positions, masses).map_err(failed)?)
@@ -143,13 +147,18 @@ impl<T: Real> Weights<T> {
         if has_fields {
             let mut volumes = vec![T::ONE; positions.len()];
             match (&masses, given.as_ref().or(summed.as_ref())) {
-                (Some(masses), Some(densities)) => field::volumes(&masses[..], densities, &mut volumes).map_err(failed)?,
-                (None, Some(densities)) => field::volumes(Uniform(T::ONE), densities, &mut volumes).map_err(failed)?,
+                (Some(masses), Some(densities)) => {
+                    field::volumes(&masses[..], densities, &mut volumes).map_err(failed)?
+                }
+                (None, Some(densities)) => {
+                    field::volumes(Uniform(T::ONE), densities, &mut volumes).map_err(failed)?
+                }
                 (_, None) => {}
             }
             for quantity in &particles.quantities {
                 let values = column(&quantity.values, &quantity.name)?;
-                coefficients.push(values.iter().zip(&volumes).map(|(&value, &volume)| volume * value).collect());
+                coefficients
+                    .push(values.iter().zip(&volumes).map(|(&value, &volume)| volume * value).collect());
             }
             if request.estimate == Estimate::Shepard {
                 coefficients.insert(0, volumes);
@@ -228,7 +237,9 @@ impl Plan {
             put(if value.is_finite() { value.to_f64() } else { f64::NAN });
         };
         let mut fields = sums.chunks_exact(stride);
-        if self.has_density && let Some(density) = fields.next() {
+        if self.has_density
+            && let Some(density) = fields.next()
+        {
             density.iter().for_each(|&value| put_finite(value));
         }
         if self.quantities == 0 {

@@ -1,6 +1,6 @@
 //! AVX2 and AVX-512.
 
-use std::arch::x86_64::{_CMP_LT_OQ, __m256, __m256d, __m256i, __m512, __m512d, __m512i};
+use std::arch::x86_64::{__m256, __m256d, __m256i, __m512, __m512d, __m512i, _CMP_LT_OQ};
 use std::marker::PhantomData;
 
 use pulp::x86::{V3, V4};
@@ -29,10 +29,16 @@ macro_rules! dispatch {
         impl Sealed for $Real {
             fn dispatch<J: Job<Self>>(level: Level, job: J) -> J::Output {
                 if let (Level::Avx512, Some(isa)) = (level, V4::try_new()) {
-                    return Simd::vectorize(isa, Inside::<$Real, _, _, $avx512> { isa, job, float: PhantomData });
+                    return Simd::vectorize(
+                        isa,
+                        Inside::<$Real, _, _, $avx512> { isa, job, float: PhantomData },
+                    );
                 }
                 if let (Level::Avx2 | Level::Avx512, Some(isa)) = (level, V3::try_new()) {
-                    return Simd::vectorize(isa, Inside::<$Real, _, _, $avx2> { isa, job, float: PhantomData });
+                    return Simd::vectorize(
+                        isa,
+                        Inside::<$Real, _, _, $avx2> { isa, job, float: PhantomData },
+                    );
                 }
                 job.run::<_, $sse2>(Baseline)
             }
@@ -119,7 +125,9 @@ fn pack_index_avx512(isa: V4, mask: u32, first: u32, out: &mut [u32; BLOCK]) {
 /// The indices whose bit is set.
 #[inline(always)]
 fn pack_index_avx2(isa: V3, mask: u32, first: u32, out: &mut [u32; BLOCK]) {
-    for (at, mask, first) in [(0, mask, first), ((mask & 0xff).count_ones(), mask >> 8, first.wrapping_add(8))] {
+    for (at, mask, first) in
+        [(0, mask, first), ((mask & 0xff).count_ones(), mask >> 8, first.wrapping_add(8))]
+    {
         let lanes: __m256i = cast(LANES_OF_8[(mask & 0xff) as usize]);
         let numbers = isa.avx2._mm256_add_epi32(lanes, isa.avx._mm256_set1_epi32(first as i32));
         put(out, at, cast::<_, [u32; 8]>(numbers));
