@@ -101,7 +101,7 @@ impl Real for f64 {
     }
 }
 
-pub mod sealed {
+mod sealed {
     use super::{Job, Level};
 
     /// Runs jobs on vectors of a float.
