@@ -31,45 +31,47 @@ pub enum KernelName {
 macro_rules! with_kernel {
     ($name:expr, $K:ident => $body:expr) => {
         match $name {
-            KernelName::Poly6 => {
-                type $K = kernel::Poly6;
+            $crate::kernel_choice::KernelName::Poly6 => {
+                type $K = sph_core::kernel::Poly6;
                 $body
             }
-            KernelName::Spiky => {
-                type $K = kernel::Spiky;
+            $crate::kernel_choice::KernelName::Spiky => {
+                type $K = sph_core::kernel::Spiky;
                 $body
             }
-            KernelName::Viscosity => {
-                type $K = kernel::Viscosity;
+            $crate::kernel_choice::KernelName::Viscosity => {
+                type $K = sph_core::kernel::Viscosity;
                 $body
             }
-            KernelName::CubicSpline => {
-                type $K = kernel::CubicSpline;
+            $crate::kernel_choice::KernelName::CubicSpline => {
+                type $K = sph_core::kernel::CubicSpline;
                 $body
             }
-            KernelName::QuarticSpline => {
-                type $K = kernel::QuarticSpline;
+            $crate::kernel_choice::KernelName::QuarticSpline => {
+                type $K = sph_core::kernel::QuarticSpline;
                 $body
             }
-            KernelName::QuinticSpline => {
-                type $K = kernel::QuinticSpline;
+            $crate::kernel_choice::KernelName::QuinticSpline => {
+                type $K = sph_core::kernel::QuinticSpline;
                 $body
             }
-            KernelName::WendlandC2 => {
-                type $K = kernel::WendlandC2;
+            $crate::kernel_choice::KernelName::WendlandC2 => {
+                type $K = sph_core::kernel::WendlandC2;
                 $body
             }
-            KernelName::WendlandC4 => {
-                type $K = kernel::WendlandC4;
+            $crate::kernel_choice::KernelName::WendlandC4 => {
+                type $K = sph_core::kernel::WendlandC4;
                 $body
             }
-            KernelName::WendlandC6 => {
-                type $K = kernel::WendlandC6;
+            $crate::kernel_choice::KernelName::WendlandC6 => {
+                type $K = sph_core::kernel::WendlandC6;
                 $body
             }
         }
     };
 }
+
+pub(crate) use with_kernel;
 
 impl KernelName {
     /// All kernels.

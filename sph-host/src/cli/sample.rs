@@ -174,6 +174,7 @@ fn request(args: SampleArgs) -> Result<Request, Failure> {
         recompute_density: args.recompute_density,
         scalar: args.scalar,
         threads: args.threads,
+        exact: args.exact,
     })
 }
 

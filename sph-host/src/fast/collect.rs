@@ -2,7 +2,8 @@
 
 use super::cells::{MOST_RUNS, Run};
 use super::set::Cells;
-use super::simd::{BLOCK, Isa, Real};
+use super::simd::{BLOCK, Isa, Job, Real};
+use super::sort::Sorted;
 
 /// What was found about one point. The lists are longer than what was found: the rest is left over.
 #[derive(Clone, Debug, Default)]
@@ -32,14 +33,73 @@ impl<T: Real> Found<T> {
         }
     }
 
-    /// The squares of the first so many, filled up to a whole block with numbers beyond any support.
+    /// Fills the lists up to a whole block with numbers beyond any support; returns where they end then.
     #[inline(always)]
-    pub(super) fn squares(&mut self, count: usize) -> &[[T; BLOCK]] {
-        self.reserve::<true, false>(count + BLOCK);
-        if let Some(end) = self.squares[count..].first_chunk_mut::<BLOCK>() {
-            *end = [T::MAX; BLOCK];
+    fn pad(&mut self, end: usize) -> usize {
+        self.reserve::<true, true>(end + BLOCK);
+        if let Some(rest) = self.squares[end..].first_chunk_mut::<BLOCK>() {
+            *rest = [T::MAX; BLOCK];
         }
-        self.squares[..count.next_multiple_of(BLOCK)].as_chunks().0
+        end.next_multiple_of(BLOCK)
+    }
+}
+
+/// The part of the lists that is about one point: whole blocks, of which `count` numbers are particles.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Span {
+    pub(super) start: usize,
+    pub(super) count: usize,
+}
+
+impl Span {
+    /// The places of its particles in the lists.
+    #[inline(always)]
+    pub(super) fn particles(self) -> std::ops::Range<usize> {
+        self.start..self.start + self.count
+    }
+
+    /// The same with what fills up the last block.
+    #[inline(always)]
+    pub(super) fn padded(self) -> std::ops::Range<usize> {
+        self.start..self.start + self.count.next_multiple_of(BLOCK)
+    }
+}
+
+/// Finds what is in reach of some consecutive points of a sorted set, squares and places.
+pub(super) struct Collect<'a, T, const D: usize> {
+    pub(super) cells: &'a Cells<T, D>,
+    pub(super) own_limits: Option<&'a [T]>,
+    pub(super) points: &'a Sorted<T, D>,
+    pub(super) range: std::ops::Range<usize>,
+    pub(super) places: bool,
+    pub(super) found: &'a mut Found<T>,
+    /// Overwritten: one for each point.
+    pub(super) spans: &'a mut Vec<Span>,
+}
+
+impl<T: Real, const D: usize> Job<T> for Collect<'_, T, D> {
+    /// How long the lists are.
+    type Output = usize;
+
+    #[inline(always)]
+    fn run<I: Isa<T>, const N: usize>(self, isa: I) -> usize {
+        if self.places { self.all::<I, true>(isa) } else { self.all::<I, false>(isa) }
+    }
+}
+
+impl<T: Real, const D: usize> Collect<'_, T, D> {
+    #[inline(always)]
+    fn all<I: Isa<T>, const PLACES: bool>(self, isa: I) -> usize {
+        self.spans.clear();
+        let mut start = 0;
+        for place in self.range {
+            let x = self.points.position(place);
+            let end =
+                collect::<T, D, I, true, PLACES>(isa, self.cells, self.own_limits, &x, self.found, start);
+            self.spans.push(Span { start, count: end - start });
+            start = self.found.pad(end);
+        }
+        start
     }
 }
 

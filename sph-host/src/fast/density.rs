@@ -1,19 +1,21 @@
 //! ρ_i = Σ m_j W(x_i − x_j) at every particle (Thm 3.2).
 
 use std::marker::PhantomData;
+use std::ops::Range;
 
 use rayon::prelude::*;
 use sph_core::kernel::Kernel;
 use sph_core::{Error, KernelInfluence, Parameter, PerSample};
 
-use super::collect::{Found, collect};
-use super::evaluate::{Columns, profile};
-use super::lanes::Lanes;
+use super::collect::{Collect, Found, Span};
+use super::evaluate::SumProfiles;
 use super::set::{Cells, check_length};
-use super::simd::{BLOCK, Isa, Job, Real};
+use super::simd::Real;
 
-/// Particles of one job.
+/// Particles that a thread takes at a time.
 const CHUNK: usize = 2048;
+/// Particles whose neighbours are gathered before they are summed over: what is gathered fits the first cache.
+const GROUP: usize = 64;
 
 impl<T: Real, const D: usize> Cells<T, D> {
     /// ρ_i at every particle, itself included, in the order of the input. Masses are a slice, or one
@@ -44,13 +46,12 @@ impl<T: Real, const D: usize> Cells<T, D> {
     /// constant · Σ m_j f, m_j = 1 where there are no masses.
     fn densities<K: Kernel>(&self, constant: T, masses: Option<Vec<T>>) -> Vec<T> {
         let mut sorted = vec![T::ZERO; self.len()];
-        sorted.par_chunks_mut(CHUNK).enumerate().for_each_init(Found::default, |found, (chunk, out)| {
-            let masses = masses.as_deref();
-            let kernel = PhantomData::<K>;
-            T::dispatch(
-                self.level,
-                Density { cells: self, first: chunk * CHUNK, constant, masses, out, found, kernel },
-            );
+        let work = sorted.par_chunks_mut(CHUNK).enumerate();
+        work.for_each_init(Scratch::default, |scratch, (chunk, out)| {
+            for (group, out) in out.chunks_mut(GROUP).enumerate() {
+                let first = chunk * CHUNK + group * GROUP;
+                self.group::<K>(first..first + out.len(), constant, masses.as_deref(), out, scratch);
+            }
         });
         let mut density = vec![T::ZERO; self.len()];
         for (&index, &value) in self.sorted.order.iter().zip(&sorted) {
@@ -58,72 +59,48 @@ impl<T: Real, const D: usize> Cells<T, D> {
         }
         density
     }
-}
 
-/// The densities of some consecutive particles.
-struct Density<'a, T, const D: usize, K> {
-    cells: &'a Cells<T, D>,
-    first: usize,
-    constant: T,
-    masses: Option<&'a [T]>,
-    out: &'a mut [T],
-    found: &'a mut Found<T>,
-    kernel: PhantomData<K>,
-}
-
-impl<T: Real, const D: usize, K: Kernel> Job<T> for Density<'_, T, D, K> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<I: Isa<T>, const N: usize>(mut self, isa: I) {
-        match self.masses {
-            None => self.equal_masses::<I, N>(isa),
-            Some(masses) => self.own_masses::<I, N>(isa, masses),
-        }
-    }
-}
-
-impl<T: Real, const D: usize, K: Kernel> Density<'_, T, D, K> {
-    #[inline(always)]
-    fn inverse_square(&self) -> T {
-        let inverse = T::ONE / self.cells.radius;
-        inverse * inverse
-    }
-
-    #[inline(always)]
-    fn equal_masses<I: Isa<T>, const N: usize>(&mut self, isa: I) {
-        let inverse_square = Lanes::<T, N>::splat(self.inverse_square());
-        for (k, out) in self.out.iter_mut().enumerate() {
-            let x = self.cells.sorted.position(self.first + k);
-            let count = collect::<T, D, I, true, false>(isa, self.cells, None, &x, self.found, 0);
-            let mut columns = Columns::<T, N>::ZERO;
-            for squares in self.found.squares(count) {
-                for group in 0..BLOCK / N {
-                    columns.add(group, profile::<T, K, D, N>(Lanes::of(squares, group) * inverse_square));
-                }
-            }
-            *out = columns.total() * self.constant;
-        }
-    }
-
-    #[inline(always)]
-    fn own_masses<I: Isa<T>, const N: usize>(&mut self, isa: I, masses: &[T]) {
-        let inverse_square = Lanes::<T, N>::splat(self.inverse_square());
-        let mut picked = Vec::new();
-        for (k, out) in self.out.iter_mut().enumerate() {
-            let x = self.cells.sorted.position(self.first + k);
-            let count = collect::<T, D, I, true, true>(isa, self.cells, None, &x, self.found, 0);
+    /// The densities of some consecutive particles.
+    fn group<K: Kernel>(
+        &self,
+        range: Range<usize>,
+        constant: T,
+        masses: Option<&[T]>,
+        out: &mut [T],
+        Scratch { found, spans, picked }: &mut Scratch<T>,
+    ) {
+        let (points, places) = (&self.sorted, masses.is_some());
+        let search = Collect { cells: self, own_limits: None, points, range, places, found, spans };
+        let end = T::dispatch(self.level, search);
+        if let Some(masses) = masses {
             picked.clear();
-            picked.extend(self.found.places[..count].iter().map(|&place| masses[place as usize]));
-            picked.resize(count.next_multiple_of(BLOCK), T::ZERO);
-            let mut columns = Columns::<T, N>::ZERO;
-            for (squares, masses) in self.found.squares(count).iter().zip(picked.as_chunks::<BLOCK>().0) {
-                for group in 0..BLOCK / N {
-                    let f = profile::<T, K, D, N>(Lanes::of(squares, group) * inverse_square);
-                    columns.add(group, Lanes::of(masses, group) * f);
+            picked.resize(end, T::ZERO);
+            for span in spans.iter() {
+                for (out, &place) in picked[span.particles()].iter_mut().zip(&found.places[span.particles()])
+                {
+                    *out = masses[place as usize];
                 }
             }
-            *out = columns.total() * self.constant;
         }
+        let inverse = T::ONE / self.radius;
+        let sums = SumProfiles {
+            squares: &found.squares,
+            inverse_square: inverse * inverse,
+            coefficients: masses.map(|_| &picked[..]),
+            spans,
+            constant,
+            out,
+            kernel: PhantomData::<K>,
+            line: D == 1,
+        };
+        T::dispatch(self.level, sums);
     }
+}
+
+/// Memory that is used again.
+#[derive(Default)]
+struct Scratch<T> {
+    found: Found<T>,
+    spans: Vec<Span>,
+    picked: Vec<T>,
 }

@@ -1,8 +1,6 @@
 //! Sums Σ c_j W(x − x_j) and Σ c_j ∇W(x − x_j) at any points, for any coefficients c_j: masses give a density, V_j A_j an
 //! interpolated field, V_j the weights of Shepard's form.
 
-use std::marker::PhantomData;
-
 use rayon::prelude::*;
 use sph_core::kernel::Kernel;
 use sph_core::{Error, KernelInfluence, Parameter};
@@ -12,10 +10,12 @@ use super::levels::Own;
 use super::set::{Cells, bounds, check_length};
 use super::simd::Real;
 use super::sort::sort;
-use super::sums::{At, Scratch};
+use super::sums::{Group, Scratch};
 
-/// Points of one job.
+/// Points that a thread takes at a time.
 const CHUNK: usize = 1024;
+/// Points that go through each step of the sums together.
+const GROUP: usize = 32;
 
 /// Coefficients c_j of particles in [`Cells`] or [`Levels`](super::Levels), ready to be summed anywhere.
 #[derive(Clone, Debug)]
@@ -103,7 +103,8 @@ impl<T: Real, const D: usize> Fields<'_, T, D> {
     /// # Errors
     /// [`Error::NotFinite`] for such a point; those of [`KernelInfluence::new`].
     pub fn at<K: Kernel>(&self, points: &[[T; D]], gradient: bool) -> Result<Sums<T>, Error> {
-        let constants: Vec<T> = self.parts.iter().map(Part::constant::<K>).collect::<Result<_, _>>()?;
+        let constants: Vec<T> =
+            self.parts.iter().map(|part| part.constant::<K>()).collect::<Result<_, _>>()?;
         let (lower, upper) = bounds(points)?;
         let radius = self.parts.first().map_or(1.0, |part| part.cells.radius.to_f64());
         let points = sort(&Layout::new(lower, upper, radius, points.len()), points);
@@ -112,14 +113,17 @@ impl<T: Real, const D: usize> Fields<'_, T, D> {
         let mut values = vec![T::ZERO; row.max(1) * points.order.len()];
         let mut reached = vec![0; points.order.len()];
         let work = values.par_chunks_mut(row.max(1) * CHUNK).zip(reached.par_chunks_mut(CHUNK)).enumerate();
+        let (width, points) = (self.width, &points);
         work.for_each_init(Scratch::default, |scratch, (chunk, (values, reached))| {
-            let (fields, points, constants, first) = (self, &points, &constants[..], chunk * CHUNK);
-            let Some(level) = self.parts.first().map(|part| part.cells.level) else { return };
-            let kernel = PhantomData::<K>;
-            T::dispatch(
-                level,
-                At { fields, points, constants, first, gradient, values, reached, scratch, kernel },
-            );
+            let groups = values.chunks_mut(row.max(1) * GROUP).zip(reached.chunks_mut(GROUP));
+            for (group, (values, reached)) in groups.enumerate() {
+                let first = chunk * CHUNK + group * GROUP;
+                let range = first..first + reached.len();
+                for (part, &constant) in self.parts.iter().zip(&constants) {
+                    let group = Group { part, constant, points, range: range.clone(), width, gradient };
+                    group.add::<K>(values, reached, scratch);
+                }
+            }
         });
         Ok(Sums {
             values: unsorted(&values, row.max(1), &points.order),

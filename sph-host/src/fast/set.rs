@@ -79,11 +79,6 @@ impl<T: Real, const D: usize> Cells<T, D> {
     pub fn along(&self, axis: usize) -> &[T] {
         &self.sorted.coordinates[axis][..self.len()]
     }
-
-    /// Values of the particles, in the order of the cells.
-    pub(super) fn sorted(&self, values: &[T]) -> Vec<T> {
-        self.sorted.order.iter().map(|&index| values[index as usize]).collect()
-    }
 }
 
 /// The radius is finite and positive, and so is its square.

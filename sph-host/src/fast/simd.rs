@@ -9,7 +9,7 @@
 use sph_core::Scalar;
 
 /// Candidates that are looked at together.
-pub const BLOCK: usize = 16;
+pub(super) const BLOCK: usize = 16;
 
 /// The instruction set of one [`Job`].
 pub trait Isa<T>: Copy {
@@ -101,7 +101,7 @@ impl Real for f64 {
     }
 }
 
-pub mod sealed {
+mod sealed {
     use super::{Job, Level};
 
     /// Runs jobs on vectors of a float.

@@ -161,7 +161,7 @@ struct Bucket<'a, T, const D: usize> {
 
 impl<'p, T: Real, const D: usize> Bucket<'_, T, D> {
     /// Puts the pieces' particles into their cells.
-    fn fill(mut self, pieces: impl Iterator<Item = &'p [Moved<T, D>]> + Clone, cells_each: usize) {
+    fn fill(self, pieces: impl Iterator<Item = &'p [Moved<T, D>]> + Clone, cells_each: usize) {
         let first_cell = (self.number * cells_each) as u32;
         let mut places = vec![0_u32; self.starts.len()];
         for moved in pieces.clone().flatten() {

@@ -1,26 +1,24 @@
 //! The sums of [`Fields`](super::Fields) at some consecutive points.
 
 use std::marker::PhantomData;
+use std::ops::Range;
 
 use sph_core::kernel::Kernel;
 
-use super::collect::{Found, collect};
-use super::evaluate::{Columns, profile, profile_and_slope};
-use super::fields::{Fields, Part};
+use super::collect::{Collect, Found, Span};
+use super::evaluate::{Columns, Evaluate};
+use super::fields::Part;
 use super::lanes::Lanes;
 use super::simd::{BLOCK, Isa, Job, Real};
 use super::sort::Sorted;
 
-/// Memory that jobs use again: a number for each particle in reach of a point, whole blocks of them.
+/// Memory that is used again: a number for each particle found, for all points of a group.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Scratch<T> {
     found: Found<T>,
+    spans: Vec<Span>,
     /// (x − x_j) / h, axis by axis.
     offsets: [Vec<T>; 3],
-    /// r² / h²
-    squares: Vec<T>,
-    /// f(q)
-    profiles: Vec<T>,
     /// f′(q) / q
     slopes: Vec<T>,
     /// c_j, times h_j^{-D} where each has its own h_j.
@@ -29,204 +27,230 @@ pub(super) struct Scratch<T> {
     steep: Vec<T>,
 }
 
-/// Puts one number for each particle found into a list, and `rest` after them up to a whole block.
-#[inline(always)]
-fn fill<T: Copy>(list: &mut Vec<T>, rest: T, values: impl ExactSizeIterator<Item = T>) {
-    let size = values.len().next_multiple_of(BLOCK);
-    list.clear();
-    list.extend(values);
-    list.resize(size, rest);
-}
-
-/// The job.
-pub(super) struct At<'a, T, const D: usize, K> {
-    pub(super) fields: &'a Fields<'a, T, D>,
+/// One part's contribution at a group of consecutive points.
+pub(super) struct Group<'a, T, const D: usize> {
+    pub(super) part: &'a Part<'a, T, D>,
+    /// σ_D h^{-D}, or σ_D.
+    pub(super) constant: T,
     pub(super) points: &'a Sorted<T, D>,
-    /// σ_D h^{-D} of each part.
-    pub(super) constants: &'a [T],
-    pub(super) first: usize,
+    pub(super) range: Range<usize>,
+    pub(super) width: usize,
     pub(super) gradient: bool,
-    pub(super) values: &'a mut [T],
-    pub(super) reached: &'a mut [u32],
-    pub(super) scratch: &'a mut Scratch<T>,
-    pub(super) kernel: PhantomData<K>,
 }
 
-impl<T: Real, const D: usize, K: Kernel> Job<T> for At<'_, T, D, K> {
+impl<T: Real, const D: usize> Group<'_, T, D> {
+    /// Adds the sums to rows of values, and how many particles are in reach.
+    pub(super) fn add<K: Kernel>(&self, values: &mut [T], reached: &mut [u32], scratch: &mut Scratch<T>) {
+        let (cells, level) = (self.part.cells, self.part.cells.level);
+        let search = Collect {
+            cells,
+            own_limits: self.part.own.map(|own| &own.squares[..]),
+            points: self.points,
+            range: self.range.clone(),
+            places: true,
+            found: &mut scratch.found,
+            spans: &mut scratch.spans,
+        };
+        let end = T::dispatch(level, search);
+        for (reached, span) in reached.iter_mut().zip(&scratch.spans) {
+            *reached += span.count as u32;
+        }
+        T::dispatch(level, Prepare { group: self, end, scratch });
+        let slopes = if self.gradient { &mut scratch.slopes[..end] } else { &mut [] };
+        let squares = &mut scratch.found.squares[..end];
+        T::dispatch(level, Evaluate { squares, slopes, kernel: PhantomData::<K>, line: D == 1 });
+        T::dispatch(level, SumUp { group: self, end, values, scratch });
+    }
+
+    /// Fills a list with a number for each particle found, and with zeros between.
+    #[inline(always)]
+    fn fill(
+        list: &mut Vec<T>,
+        spans: &[Span],
+        places: &[u32],
+        end: usize,
+        value: impl Fn(usize, usize) -> T,
+    ) {
+        if list.len() < end {
+            list.resize(end, T::ZERO);
+        }
+        for (point, span) in spans.iter().enumerate() {
+            let out = &mut list[span.padded()];
+            for (out, &place) in out.iter_mut().zip(&places[span.particles()]) {
+                *out = value(point, place as usize);
+            }
+            out[span.count..].fill(T::ZERO);
+        }
+    }
+}
+
+/// Makes r² / h² of r², and (x − x_j) / h.
+struct Prepare<'a, T, const D: usize> {
+    group: &'a Group<'a, T, D>,
+    end: usize,
+    scratch: &'a mut Scratch<T>,
+}
+
+impl<T: Real, const D: usize> Job<T> for Prepare<'_, T, D> {
     type Output = ();
 
     #[inline(always)]
-    fn run<I: Isa<T>, const N: usize>(self, isa: I) {
-        let row = self.values.len() / self.reached.len();
-        let width = self.fields.width;
-        for (k, (values, reached)) in
-            self.values.chunks_exact_mut(row).zip(self.reached.iter_mut()).enumerate()
-        {
-            let x = self.points.position(self.first + k);
-            for (part, &constant) in self.fields.parts.iter().zip(self.constants) {
-                let one = OnePart { part, constant, x: &x, width };
-                *reached += if self.gradient {
-                    one.add::<K, I, N, true>(isa, values, self.scratch)
-                } else {
-                    one.add::<K, I, N, false>(isa, values, self.scratch)
-                };
-            }
-        }
-    }
-}
-
-/// One part's contribution at one point.
-struct OnePart<'a, T, const D: usize> {
-    part: &'a Part<'a, T, D>,
-    constant: T,
-    x: &'a [T; D],
-    width: usize,
-}
-
-impl<T: Real, const D: usize> OnePart<'_, T, D> {
-    /// Adds the sums to a row of values; returns how many particles are in reach.
-    #[inline(always)]
-    fn add<K: Kernel, I: Isa<T>, const N: usize, const GRADIENT: bool>(
-        &self,
-        isa: I,
-        values: &mut [T],
-        scratch: &mut Scratch<T>,
-    ) -> u32 {
-        let limits = self.part.own.map(|own| &own.squares[..]);
-        let count =
-            collect::<T, D, I, true, true>(isa, self.part.cells, limits, self.x, &mut scratch.found, 0);
-        if count == 0 {
-            return 0;
-        }
-        self.prepare(count, scratch);
-        if GRADIENT {
-            self.offsets(count, scratch);
-        }
-        kernels::<T, K, D, N, GRADIENT>(scratch);
-        let stride = if GRADIENT { 1 + D } else { 1 };
-        for field in 0..self.width {
-            self.pick::<GRADIENT>(field, count, scratch);
-            self.sum::<N, GRADIENT>(scratch, &mut values[field * stride..][..stride]);
-        }
-        count as u32
-    }
-
-    /// r² / h²
-    #[inline(always)]
-    fn prepare(&self, count: usize, scratch: &mut Scratch<T>) {
-        let found = &scratch.found;
-        let squares = found.squares[..count].iter();
-        match self.part.own {
-            None => {
-                let inverse = T::ONE / self.part.cells.radius;
-                let inverse_square = inverse * inverse;
-                fill(&mut scratch.squares, T::ONE, squares.map(|&r2| r2 * inverse_square));
-            }
+    fn run<I: Isa<T>, const N: usize>(self, _: I) {
+        let (part, end) = (self.group.part, self.end);
+        let Scratch { found, spans, offsets, slopes, .. } = self.scratch;
+        let Found { squares, places } = found;
+        let inverse = T::ONE / part.cells.radius;
+        match part.own {
+            None => squares[..end].iter_mut().for_each(|r2| *r2 = *r2 * (inverse * inverse)),
             Some(own) => {
-                let places = found.places[..count].iter();
-                let inverses = places.map(|&place| own.inverses[place as usize]);
-                fill(
-                    &mut scratch.squares,
-                    T::ONE,
-                    squares.zip(inverses).map(|(&r2, inverse)| r2 * (inverse * inverse)),
-                );
+                for span in spans.iter() {
+                    for (r2, &place) in squares[span.particles()].iter_mut().zip(&places[span.particles()]) {
+                        let inverse = own.inverses[place as usize];
+                        *r2 = *r2 * (inverse * inverse);
+                    }
+                }
             }
         }
-    }
-
-    /// (x − x_j) / h
-    #[inline(always)]
-    fn offsets(&self, count: usize, scratch: &mut Scratch<T>) {
+        if !self.group.gradient {
+            return;
+        }
+        if slopes.len() < end {
+            slopes.resize(end, T::ZERO);
+        }
         for axis in 0..D {
-            let (x, coordinates) = (self.x[axis], &self.part.cells.sorted.coordinates[axis][..]);
-            let offsets = scratch.found.places[..count].iter().map(|&place| x - coordinates[place as usize]);
-            match self.part.own {
-                None => {
-                    let inverse = T::ONE / self.part.cells.radius;
-                    fill(&mut scratch.offsets[axis], T::ZERO, offsets.map(|offset| offset * inverse));
-                }
-                Some(own) => {
-                    let inverses =
-                        scratch.found.places[..count].iter().map(|&place| own.inverses[place as usize]);
-                    fill(
-                        &mut scratch.offsets[axis],
-                        T::ZERO,
-                        offsets.zip(inverses).map(|(offset, inverse)| offset * inverse),
-                    );
-                }
+            let coordinates = &part.cells.sorted.coordinates[axis][..];
+            let points = &self.group.points.coordinates[axis][self.group.range.clone()];
+            match part.own {
+                None => Group::<T, D>::fill(
+                    &mut offsets[axis],
+                    spans,
+                    places,
+                    end,
+                    #[inline(always)]
+                    |point, place| (points[point] - coordinates[place]) * inverse,
+                ),
+                Some(own) => Group::<T, D>::fill(
+                    &mut offsets[axis],
+                    spans,
+                    places,
+                    end,
+                    #[inline(always)]
+                    |point, place| (points[point] - coordinates[place]) * own.inverses[place],
+                ),
             }
         }
     }
+}
 
+/// Adds up what kernels and coefficients make together.
+struct SumUp<'a, T, const D: usize> {
+    group: &'a Group<'a, T, D>,
+    end: usize,
+    values: &'a mut [T],
+    scratch: &'a mut Scratch<T>,
+}
+
+impl<T: Real, const D: usize> Job<T> for SumUp<'_, T, D> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<I: Isa<T>, const N: usize>(mut self, _: I) {
+        for field in 0..self.group.width {
+            self.pick(field);
+            self.add::<N>(field);
+        }
+    }
+}
+
+impl<T: Real, const D: usize> SumUp<'_, T, D> {
     /// The coefficients of one field.
     #[inline(always)]
-    fn pick<const GRADIENT: bool>(&self, field: usize, count: usize, scratch: &mut Scratch<T>) {
-        let places = scratch.found.places[..count].iter();
-        let picked = places.map(|&place| self.part.coefficients[place as usize * self.width + field]);
-        let Some(own) = self.part.own else {
-            fill(&mut scratch.picked, T::ZERO, picked);
+    fn pick(&mut self, field: usize) {
+        let Group { part, width, gradient, .. } = self.group;
+        let Scratch { found, spans, picked, steep, .. } = &mut *self.scratch;
+        let (places, end) = (&found.places[..], self.end);
+        let Some(own) = part.own else {
+            Group::<T, D>::fill(
+                picked,
+                spans,
+                places,
+                end,
+                #[inline(always)]
+                |_, place| part.coefficients[place * width + field],
+            );
             return;
         };
-        let inverses = scratch.found.places[..count].iter().map(|&place| own.inverses[place as usize]);
-        let powers = inverses.clone().map(|inverse| (1..D).fold(inverse, |power, _| power * inverse));
-        fill(&mut scratch.picked, T::ZERO, picked.zip(powers).map(|(c, power)| c * power));
-        if GRADIENT {
-            let picked = scratch.picked[..count].iter();
-            fill(&mut scratch.steep, T::ZERO, picked.zip(inverses).map(|(&c, inverse)| c * inverse));
+        Group::<T, D>::fill(
+            picked,
+            spans,
+            places,
+            end,
+            #[inline(always)]
+            |_, place| {
+                let inverse = own.inverses[place];
+                part.coefficients[place * width + field] * (1..D).fold(inverse, |power, _| power * inverse)
+            },
+        );
+        if *gradient {
+            Group::<T, D>::fill(
+                steep,
+                spans,
+                places,
+                end,
+                #[inline(always)]
+                |_, place| own.inverses[place],
+            );
+            steep.iter_mut().zip(&picked[..end]).for_each(|(steep, &c)| *steep = *steep * c);
         }
     }
 
     /// Adds one field's sums to its values.
     #[inline(always)]
-    fn sum<const N: usize, const GRADIENT: bool>(&self, scratch: &Scratch<T>, values: &mut [T]) {
-        let picked = scratch.picked.as_chunks::<BLOCK>().0;
-        let mut value = Columns::<T, N>::ZERO;
-        for (f, c) in scratch.profiles.as_chunks().0.iter().zip(picked) {
-            for group in 0..BLOCK / N {
-                value.add(group, Lanes::of(c, group) * Lanes::of(f, group));
-            }
-        }
-        values[0] += value.total() * self.constant;
-        if !GRADIENT {
-            return;
-        }
-        let (steep, unit) = match self.part.own {
-            None => (picked, self.constant / self.part.cells.radius),
-            Some(_) => (scratch.steep.as_chunks::<BLOCK>().0, self.constant),
+    fn add<const N: usize>(&mut self, field: usize) {
+        let Group { part, constant, gradient, width, .. } = self.group;
+        let stride = if *gradient { 1 + D } else { 1 };
+        let Scratch { found, spans, offsets, slopes, picked, steep } = &*self.scratch;
+        let (steep, unit) = match part.own {
+            None => (picked, *constant / part.cells.radius),
+            Some(_) => (steep, *constant),
         };
-        for axis in 0..D {
-            let mut slope = Columns::<T, N>::ZERO;
-            let offsets = scratch.offsets[axis].as_chunks().0;
-            for ((f, c), offset) in scratch.slopes.as_chunks().0.iter().zip(steep).zip(offsets) {
-                for group in 0..BLOCK / N {
-                    slope.add(group, Lanes::of(c, group) * (Lanes::of(f, group) * Lanes::of(offset, group)));
+        for (span, values) in spans.iter().zip(self.values.chunks_exact_mut(stride * width)) {
+            let values = &mut values[field * stride..][..stride];
+            let blocks = span.padded();
+            values[0] +=
+                products::<T, N>(&picked[blocks.clone()], &found.squares[blocks.clone()]) * *constant;
+            if *gradient {
+                for axis in 0..D {
+                    let (c, f, x) =
+                        (&steep[blocks.clone()], &slopes[blocks.clone()], &offsets[axis][blocks.clone()]);
+                    values[1 + axis] += triple_products::<T, N>(c, f, x) * unit;
                 }
             }
-            values[1 + axis] += slope.total() * unit;
         }
     }
 }
 
-/// f(q) and, for gradients, f′(q) / q of all that was found.
+/// Σ c f
 #[inline(always)]
-fn kernels<T: Real, K: Kernel, const D: usize, const N: usize, const GRADIENT: bool>(
-    scratch: &mut Scratch<T>,
-) {
-    scratch.profiles.resize(scratch.squares.len(), T::ZERO);
-    scratch.slopes.resize(scratch.squares.len(), T::ZERO);
-    let squares = scratch.squares.as_chunks::<BLOCK>().0;
-    let profiles = scratch.profiles.as_chunks_mut::<BLOCK>().0;
-    let slopes = scratch.slopes.as_chunks_mut::<BLOCK>().0;
-    for ((squares, profiles), slopes) in squares.iter().zip(profiles).zip(slopes) {
+fn products<T: Real, const N: usize>(c: &[T], f: &[T]) -> T {
+    let mut columns = Columns::<T, N>::ZERO;
+    for (c, f) in c.as_chunks::<BLOCK>().0.iter().zip(f.as_chunks::<BLOCK>().0) {
         for group in 0..BLOCK / N {
-            let s = Lanes::<T, N>::of(squares, group);
-            if GRADIENT {
-                let (profile, slope) = profile_and_slope::<T, K, D, N>(s);
-                profile.put(profiles, group);
-                slope.put(slopes, group);
-            } else {
-                profile::<T, K, D, N>(s).put(profiles, group);
-            }
+            columns.add(group, Lanes::of(c, group) * Lanes::of(f, group));
         }
     }
+    columns.total()
+}
+
+/// Σ c (f x)
+#[inline(always)]
+fn triple_products<T: Real, const N: usize>(c: &[T], f: &[T], x: &[T]) -> T {
+    let mut columns = Columns::<T, N>::ZERO;
+    let (c, f, x) = (c.as_chunks::<BLOCK>().0, f.as_chunks::<BLOCK>().0, x.as_chunks::<BLOCK>().0);
+    for ((c, f), x) in c.iter().zip(f).zip(x) {
+        for group in 0..BLOCK / N {
+            columns.add(group, Lanes::of(c, group) * (Lanes::of(f, group) * Lanes::of(x, group)));
+        }
+    }
+    columns.total()
 }

@@ -64,7 +64,7 @@ pub(super) fn evaluate<T: Scalar, const D: usize>(
 
     let start = Instant::now();
     let sums = Sums { scene: &scene, estimate: request.estimate, gradient: request.gradient };
-    let names = sums.names(particles);
+    let names = names(particles, request.gradient);
     let scales = sums.scales(&units);
     let width = names.len().max(1);
     let mut rows = vec![f64::NAN; width * points.len()];
@@ -83,13 +83,31 @@ pub(super) fn evaluate<T: Scalar, const D: usize>(
             counts
         })
         .reduce(Counts::default, |a, b| a + b);
-    let columns = names
-        .into_iter()
-        .enumerate()
-        .map(|(column, name)| Column::new(name, rows.iter().skip(column).step_by(width).copied().collect()))
-        .collect();
+    let columns = columns(names, &rows);
     let evaluate_seconds = start.elapsed().as_secs_f64();
     Ok(Evaluated { columns, counts, search_seconds, evaluate_seconds })
+}
+
+/// The columns' names, `NAME` and then `NAME_dx` and so on.
+pub(super) fn names(particles: &Particles, gradient: bool) -> Vec<String> {
+    let density = particles.masses.as_ref().map(|_| "density");
+    let fields = particles.quantities.iter().map(|quantity| quantity.name.as_str());
+    let mut names = Vec::new();
+    for field in density.into_iter().chain(fields) {
+        names.push(field.to_owned());
+        if gradient {
+            names.extend(["dx", "dy", "dz"].iter().take(particles.dim).map(|axis| format!("{field}_{axis}")));
+        }
+    }
+    names
+}
+
+/// Rows of numbers as named columns.
+pub(super) fn columns(names: Vec<String>, rows: &[f64]) -> Vec<Column> {
+    let width = names.len();
+    let column =
+        |(column, name)| Column::new(name, rows.iter().skip(column).step_by(width).copied().collect());
+    names.into_iter().enumerate().map(column).collect()
 }
 
 /// What is summed at each point.
@@ -123,20 +141,6 @@ impl Row<'_> {
 }
 
 impl<T: Scalar, const D: usize> Sums<'_, T, D> {
-    /// The columns' names, `NAME` and then `NAME_dx` and so on.
-    fn names(&self, particles: &Particles) -> Vec<String> {
-        let density = self.scene.masses.as_ref().map(|_| "density");
-        let fields = particles.quantities.iter().map(|quantity| quantity.name.as_str());
-        let mut names = Vec::new();
-        for field in density.into_iter().chain(fields) {
-            names.push(field.to_owned());
-            if self.gradient {
-                names.extend(["dx", "dy", "dz"].iter().take(D).map(|axis| format!("{field}_{axis}")));
-            }
-        }
-        names
-    }
-
     /// What each column is multiplied with to be in the file's units.
     fn scales(&self, units: &Units<D>) -> Vec<f64> {
         let density = self.scene.masses.as_ref().map(|_| units.density());

@@ -5,6 +5,7 @@
 //! (`evaluate`), and hand back a [`Table`] with what there is to warn of.
 
 mod evaluate;
+mod evaluate_fast;
 mod load;
 mod points;
 mod request;
@@ -67,13 +68,7 @@ pub fn run(request: &Request, progress: &ProgressBar) -> Result<Sampled, Failure
         .num_threads(request.threads.map_or(0, |threads| threads.min(MOST_THREADS)))
         .build()
         .map_err(|error| Failure::input(format!("cannot start the threads: {error}")))?;
-    let done = pool.install(|| {
-        with_scalar!(request.scalar, T => match particles.dim {
-            1 => evaluate::evaluate::<T, 1>(request, &particles, &points, progress),
-            2 => evaluate::evaluate::<T, 2>(request, &particles, &points, progress),
-            _ => evaluate::evaluate::<T, 3>(request, &particles, &points, progress),
-        })
-    })?;
+    let done = pool.install(|| evaluate(request, &particles, &points, progress))?;
     progress.finish_and_clear();
 
     let precision = if request.scalar == ScalarName::F32 { Precision::F32 } else { Precision::F64 };
@@ -87,6 +82,30 @@ pub fn run(request: &Request, progress: &ProgressBar) -> Result<Sampled, Failure
         warnings,
         timing: Timing { read, search: done.search_seconds, evaluate: done.evaluate_seconds },
     })
+}
+
+/// The sums in the scalar and the dimensions that are asked for, on the fast path where that has them.
+fn evaluate(
+    request: &Request,
+    particles: &Particles,
+    points: &points::Points,
+    progress: &ProgressBar,
+) -> Result<evaluate::Evaluated, Failure> {
+    macro_rules! in_dimensions {
+        ($($function:ident)::+, $T:ty) => {
+            match particles.dim {
+                1 => $($function)::+::<$T, 1>(request, particles, points, progress),
+                2 => $($function)::+::<$T, 2>(request, particles, points, progress),
+                _ => $($function)::+::<$T, 3>(request, particles, points, progress),
+            }
+        };
+    }
+    let is_fast = !request.exact && request.estimate != Estimate::Corrected;
+    match (is_fast, request.scalar) {
+        (true, ScalarName::F32) => in_dimensions!(evaluate_fast::evaluate, f32),
+        (true, ScalarName::F64) => in_dimensions!(evaluate_fast::evaluate, f64),
+        _ => with_scalar!(request.scalar, T => in_dimensions!(evaluate::evaluate, T)),
+    }
 }
 
 fn caption(request: &Request, particles: &Particles) -> String {

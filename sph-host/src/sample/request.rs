@@ -84,4 +84,6 @@ pub struct Request {
     pub scalar: ScalarName,
     /// Threads; none: one for each core.
     pub threads: Option<usize>,
+    /// Whether sums go in sph-core's documented order, so that the bits are those of firmware.
+    pub exact: bool,
 }

@@ -36,16 +36,7 @@ impl<T: Scalar, const D: usize> Scene<T, D> {
         }
         let source = &particles.source;
         let failed = |error: sph_core::Error| Failure::input(format!("{source}: {error}"));
-        let read: Vec<[T; D]> = (0..particles.len())
-            .map(|j| units.position(std::array::from_fn(|axis| particles.coordinates[axis][j])))
-            .collect();
-        if let Some(j) = read.iter().position(|x| x.iter().any(|component| !component.is_finite())) {
-            let x: [f64; D] = std::array::from_fn(|axis| particles.coordinates[axis][j]);
-            let (name, h) = (T::NAME, units.length);
-            return Err(Failure::input(format!(
-                "{source}: particle {j} at {x:?}, in units of {h}, does not fit {name}"
-            )));
-        }
+        let read: Vec<[T; D]> = positions(particles, units)?;
         let layout = layout(&read, reach(particles, units)).map_err(|error| {
             let (name, h) = (T::NAME, units.length);
             Failure::input(format!(
@@ -126,6 +117,23 @@ impl<T: Scalar, const D: usize> Scene<T, D> {
         field::volumes(&masses[..], &densities, &mut volumes)?;
         Ok(volumes)
     }
+}
+
+/// The particles' positions in the units of the run.
+pub(super) fn positions<T: Scalar, const D: usize>(
+    particles: &Particles,
+    units: &Units<D>,
+) -> Result<Vec<[T; D]>, Failure> {
+    let position = |j: usize| units.position(std::array::from_fn(|axis| particles.coordinates[axis][j]));
+    let positions: Vec<[T; D]> = (0..particles.len()).into_par_iter().map(position).collect();
+    if let Some(j) = positions.iter().position(|x| x.iter().any(|component| !component.is_finite())) {
+        let x: [f64; D] = std::array::from_fn(|axis| particles.coordinates[axis][j]);
+        let (source, name, h) = (&particles.source, T::NAME, units.length);
+        return Err(Failure::input(format!(
+            "{source}: particle {j} at {x:?}, in units of {h}, does not fit {name}"
+        )));
+    }
+    Ok(positions)
 }
 
 /// The largest support radius in the units of the run.

@@ -3,6 +3,7 @@
 mod columns;
 mod csv_files;
 mod data_errors;
+mod fast;
 mod files;
 mod grids;
 mod kernels;
