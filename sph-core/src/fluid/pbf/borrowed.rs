@@ -52,7 +52,7 @@ impl<'a, T: Compact, C: Container<T, D>, const D: usize, I: Index> BorrowedFluid
     ///
     /// # Errors
     /// [`Error::CapacityExceeded`] where they are too short, or for more particles than `I` counts;
-    /// [`Error::NotRepresentable`] where the container ends less than 1 below the scalar's largest number; [`Error::NotFinite`] and
+    /// [`Error::NotRepresentable`] where the container ends less than 1 below the scalar's largest number;
     /// [`Error::OutsideDomain`] for a particle that is not inside the container.
     pub fn new(
         container: &'a C,

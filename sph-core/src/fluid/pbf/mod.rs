@@ -32,7 +32,7 @@ mod step;
 use crate::fluid::Container;
 use crate::neighbours::Index;
 use crate::scalar::compact::{Compact, Near, Pack};
-use crate::{Arithmetic, Error, Parameter, check};
+use crate::{Arithmetic, Error, Parameter};
 pub use borrowed::{BorrowedFluid, Pass};
 pub use particle::Particle;
 
@@ -231,7 +231,7 @@ impl<T: Compact, C: Container<T, D>, I: Index, const D: usize, const CAP: usize,
     ///
     /// # Errors
     /// The particle comes back with [`Error::CapacityExceeded`] when the fluid is full or the container has more than `CELLS`
-    /// cells, [`Error::NotFinite`] for such a position, [`Error::OutsideDomain`] for one outside the container.
+    /// cells, [`Error::OutsideDomain`] for a position outside the container.
     pub fn add(&mut self, particle: Particle<T, D>) -> Result<(), Rejected<Particle<T, D>>> {
         self.place(particle).map_err(|reason| Rejected { particle, reason })
     }
@@ -256,7 +256,6 @@ fn check_inside<T: Compact, C: Container<T, D>, const D: usize>(
 ) -> Result<(), Error> {
     let (size, position) = (container.size(), particle.position());
     for (axis, &coordinate) in position.iter().enumerate() {
-        check::finite(coordinate, Parameter::Position, index)?;
         if !(coordinate >= T::ZERO && coordinate <= size[axis]) {
             return Err(Error::OutsideDomain { index, axis });
         }

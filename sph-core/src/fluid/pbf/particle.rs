@@ -31,10 +31,10 @@ impl<T: Compact, const D: usize> Particle<T, D> {
         reach: 0,
     };
 
-    /// A particle at `position` with `velocity`, which is held at ±1. What a fixed-point scalar cannot tell, or holds beyond
-    /// ±2¹⁶, is taken as −1, which lies in no container.
+    /// A particle at `position` with `velocity`, which is held at ±1. A coordinate that is not finite, or beyond ±2¹⁶,
+    /// is taken as −1, which lies in no container.
     pub fn new(position: [T; D], velocity: [T; D]) -> Self {
-        let outside = |x: T| x.floor_to_i32().unsigned_abs() > 1 << 16 || !(x.is_finite() || x != x);
+        let outside = |x: T| !x.is_finite() || x.floor_to_i32().unsigned_abs() > 1 << 16;
         let position = position.map(|x| if outside(x) { -T::ONE } else { x });
         let velocity = Pack::pack(velocity.map(|v| super::near_held(v, (1, 1))));
         Self { place: T::Place::new(&position), velocity, ..Self::AT_ORIGIN }
