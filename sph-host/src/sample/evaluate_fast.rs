@@ -99,11 +99,9 @@ impl<T: Real, const D: usize> Set<T, D> {
         }
     }
 
+    /// ρ at the particles: the bits that the sums at a point of the same place have.
     fn densities<K: Kernel>(&self, positions: &[[T; D]], masses: &[T]) -> Result<Vec<T>, Error> {
         match self {
-            Self::Cells(cells) if masses.iter().all(|mass| *mass == masses[0]) => {
-                cells.density::<K>(Uniform(masses[0]))
-            }
             Self::Cells(cells) => cells.density::<K>(masses),
             Self::Levels(levels) => Ok(levels.fields(&[masses])?.at::<K>(positions, false)?.values),
         }

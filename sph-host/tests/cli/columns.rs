@@ -53,7 +53,7 @@ fn the_density_column_is_a_quantity_when_asked_for() {
 fn a_column_h_is_a_quantity_like_any_other() {
     let folder = Folder::with("p.csv", "x,y,m,h\n0,0,1,3\n1,0,1,3\n");
     let columns = folder.columns("sample p.csv --support 2 --at-particles --estimate shepard");
-    assert_eq!(columns.get("h"), [3.0, 3.0]);
+    assert!(columns.get("h").iter().all(|h| (h - 3.0).abs() < 1e-15));
     folder.fail_with(1, "sample p.csv --at-particles", &["--support"]);
 }
 
