@@ -144,7 +144,7 @@ fn total<T: Real>(columns: &[T; BLOCK]) -> T {
     let mut half = BLOCK / 2;
     while half > 0 {
         for k in 0..half {
-            columns[k] = columns[k] + columns[k + half];
+            columns[k] += columns[k + half];
         }
         half /= 2;
     }
