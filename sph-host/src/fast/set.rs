@@ -16,7 +16,7 @@ use super::sort::{Sorted, sort};
 /// let positions: Vec<[f32; 2]> = (0..400).map(|i| [(i % 20) as f32, (i / 20) as f32]).collect();
 /// let cells = Cells::sort(&positions, 2.5)?;
 /// let density = cells.density::<WendlandC2>(Uniform(1.0))?;
-/// assert!((density[210] - 1.0).abs() < 0.01);
+/// assert!((density[210] - 1.0138).abs() < 1e-4); // the lattice error of this kernel is 1.4 %
 /// # Ok::<(), sph_core::Error>(())
 /// ```
 #[derive(Clone, Debug)]
