@@ -3,6 +3,13 @@
 #![cfg(feature = "defmt")]
 
 use sph_core::field::{LinearBasis, LinearFit};
+use sph_core::fluid::wcsph::{
+    Cells, Forces, Limits, Liquid, Particles, Scheme, Seen, Sequential, State, WallState,
+};
+use sph_core::fluid::{
+    BorrowedFluid, Disc, EquationOfState, Mask, OpenBox, Particle, PositionBasedFluid, Raster, Rejected,
+    Settings, Shape, Wall,
+};
 use sph_core::kernel::conformance::{Law, Violation};
 use sph_core::kernel::{
     CubicSpline, Poly6, QuarticSpline, QuinticSpline, Spiky, Tabulated, Term, Viscosity, ViscosityLaplacian,
@@ -65,10 +72,38 @@ can_be_logged!(
     LinearFit<T, 2>,
 );
 
+type SignedDistance = fn(&[T; 2]) -> (T, [T; 2]);
+
+can_be_logged!(
+    Settings,
+    Particle<T, 2>,
+    Rejected<Particle<T, 2>>,
+    PositionBasedFluid<T, OpenBox<T, 2>, 2, 64, 64>,
+    BorrowedFluid<'static, T, OpenBox<T, 2>, 2>,
+    sph_core::fluid::pbf::Pass,
+    OpenBox<T, 2>,
+    Disc<T>,
+    Mask<'static, T>,
+    Shape<T, SignedDistance, 2>,
+    Wall<T, 2>,
+    Raster<8, 8>,
+    EquationOfState<T>,
+    Liquid<T, 2>,
+    Scheme<T, 2, KernelInfluence<T, 2, WendlandC2>>,
+    Limits<T>,
+    State<'static, T, 2>,
+    Seen<T, 2>,
+    Forces<T, 2>,
+    WallState<T, 2>,
+    Particles<'static, T, 2, Cells<'static, u16>>,
+    Cells<'static, u16>,
+    Sequential,
+);
+
 #[cfg(feature = "fixed")]
 mod fixed_point {
     use sph_core::scalar::fixed::{
-        Check, Checked, I16F16, Near14, Saturate, Saturating, Sum, Wrap, Wrapping,
+        Check, Checked, I16F16, Near14, Packed14, Place14, Saturate, Saturating, Sum, Wrap, Wrapping,
     };
 
     can_be_logged!(
@@ -80,6 +115,8 @@ mod fixed_point {
         Checked<I16F16>,
         Sum<I16F16, Check>,
         Near14,
+        Packed14<2>,
+        Place14<2>,
     );
 }
 

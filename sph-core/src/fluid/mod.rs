@@ -9,6 +9,8 @@
 
 pub mod container;
 pub mod eos;
+#[cfg(feature = "defmt")]
+mod logged;
 pub mod pbf;
 pub mod raster;
 pub mod wcsph;

@@ -21,6 +21,7 @@ pub trait Executor {
 
 /// One after another.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Sequential;
 
 impl Executor for Sequential {

@@ -11,11 +11,13 @@ use core::array::from_fn;
 
 /// A vector of components within ±2.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[repr(align(4))]
 pub struct Packed14<const D: usize>([u16; D]);
 
 /// A position: the lower and the upper 16 bits of its coordinates.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Place14<const D: usize> {
     low: Packed14<D>,
     high: Packed14<D>,
