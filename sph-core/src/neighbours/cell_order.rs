@@ -55,7 +55,7 @@ impl<'a, I: Index, const D: usize> CellOrder<'a, I, D> {
     ///
     /// The new order follows from the old one alone. Each particle is moved at most once, behind a swap at most twice.
     #[inline(always)]
-    pub fn sort<P>(&mut self, particles: &mut [P], cell_of: impl Fn(&P) -> usize) {
+    pub fn sort<P: Copy>(&mut self, particles: &mut [P], cell_of: impl Fn(&P) -> usize) {
         self.ends.fill(I::ZERO);
         for particle in particles.iter() {
             let cell = cell_of(particle);
@@ -78,8 +78,10 @@ impl<'a, I: Index, const D: usize> CellOrder<'a, I, D> {
                 let Some(end) = self.ends.get_mut(home) else { return };
                 let there = end.to_usize();
                 *end = I::from_usize(there.wrapping_add(1));
-                if home != cell && there < particles.len() {
-                    particles.swap(here, there);
+                if home != cell
+                    && let Ok([one, other]) = particles.get_disjoint_mut([here, there])
+                {
+                    exchange(one, other);
                 }
             }
         }
@@ -255,6 +257,12 @@ fn take<'a, P>(rest: &mut &'a mut [P], count: usize) -> &'a mut [P] {
 }
 
 /// The cells along each axis, not the particles in them.
+/// Two references in a call of its own are known to be apart; `swap` by indices links a memmove, 1.6 kB on Cortex-M.
+#[inline(never)]
+fn exchange<P: Copy>(one: &mut P, other: &mut P) {
+    (*one, *other) = (*other, *one);
+}
+
 #[cfg(feature = "defmt")]
 impl<I, const D: usize> defmt::Format for CellOrder<'_, I, D> {
     fn format(&self, f: defmt::Formatter<'_>) {

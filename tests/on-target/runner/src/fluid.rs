@@ -27,7 +27,7 @@ pub(crate) fn check(update: bool) -> Result<bool> {
         rows.extend(run(&M0, binary, &[])?.into_iter().filter(|row| !of_instructions(row)));
     }
     for target in [M0, M4F, RV32] {
-        for profile in ["release", "small"] {
+        for profile in ["release", "fast", "small"] {
             rows.extend(flash(&target, profile)?);
         }
     }
@@ -35,7 +35,8 @@ pub(crate) fn check(update: bool) -> Result<bool> {
 }
 
 fn run(target: &Target, binary: &str, more: &[&str]) -> Result<Vec<String>> {
-    let arguments = ["-p", "fluisim-firmware", "--features", "programs", "--bin", binary, "--release"];
+    let arguments =
+        ["-p", "fluisim-firmware", "--features", "programs", "--bin", binary, "--profile", "fast"];
     let built = compile::build(target, &arguments)?;
     let firmware = built.first().context("nothing was built")?;
     let outcome = qemu::run(target, &firmware.path, more)?;
