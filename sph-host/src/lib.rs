@@ -10,6 +10,7 @@ pub mod fast;
 pub mod io;
 pub mod kernel_choice;
 pub mod output;
+mod parallel;
 pub mod picture;
 pub mod run;
 pub mod sample;

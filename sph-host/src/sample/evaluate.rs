@@ -3,7 +3,6 @@
 use std::time::Instant;
 
 use indicatif::ProgressBar;
-use rayon::prelude::*;
 use sph_core::{Field, Scalar, Sources};
 
 use super::load::Particles;
@@ -14,6 +13,7 @@ use super::stencil::{Contribution, Stencil};
 use super::units::Units;
 use crate::failure::Failure;
 use crate::output::Column;
+use crate::parallel;
 
 /// The columns of the result, and what was counted on the way.
 #[derive(Clone, Debug, Default)]
@@ -68,21 +68,18 @@ pub(super) fn evaluate<T: Scalar, const D: usize>(
     let scales = sums.scales(&units);
     let width = names.len().max(1);
     let mut rows = vec![f64::NAN; width * points.len()];
-    let counts = rows
-        .par_chunks_mut(width * CHUNK)
-        .enumerate()
-        .map_init(Vec::new, |near, (chunk, rows)| {
-            let mut counts = Counts::default();
-            for (offset, row) in rows.chunks_exact_mut(width).enumerate() {
-                let point = chunk * CHUNK + offset;
-                let x = units.position(std::array::from_fn(|axis| points.along(axis)[point]));
-                sums.row(&x, near, &mut Row { cells: row.iter_mut(), counts: &mut counts });
-                row.iter_mut().zip(&scales).for_each(|(value, scale)| *value *= scale);
-            }
-            progress.inc((rows.len() / width) as u64);
-            counts
-        })
-        .reduce(Counts::default, |a, b| a + b);
+    let counts = parallel::map(rows.chunks_mut(width * CHUNK), |chunk, rows| {
+        let (mut counts, mut near) = (Counts::default(), Vec::new());
+        for (offset, row) in rows.chunks_exact_mut(width).enumerate() {
+            let point = chunk * CHUNK + offset;
+            let x = units.position(std::array::from_fn(|axis| points.along(axis)[point]));
+            sums.row(&x, &mut near, &mut Row { cells: row.iter_mut(), counts: &mut counts });
+            row.iter_mut().zip(&scales).for_each(|(value, scale)| *value *= scale);
+        }
+        progress.inc((rows.len() / width) as u64);
+        counts
+    });
+    let counts = counts.into_iter().fold(Counts::default(), |a, b| a + b);
     let columns = columns(names, &rows);
     let evaluate_seconds = start.elapsed().as_secs_f64();
     Ok(Evaluated { columns, counts, search_seconds, evaluate_seconds })

@@ -6,8 +6,6 @@
 use std::time::Instant;
 
 use indicatif::ProgressBar;
-use rayon::prelude::*;
-use sph_core::kernel::Kernel;
 use sph_core::{Error, Uniform, field};
 
 use super::evaluate::{Counts, Evaluated, columns, names};
@@ -17,23 +15,17 @@ use super::request::{Estimate, Request, Where};
 use super::scene::positions;
 use super::units::{Units, fitted};
 use crate::failure::Failure;
-use crate::fast::{Cells, Fields, Levels, Real};
-use crate::kernel_choice::with_kernel;
+use crate::fast::{Cells, Fields, Levels, Real, Sums};
+use crate::kernel_choice::{KernelName, with_kernel};
+use crate::parallel;
 
 /// Points that are evaluated together.
 const BATCH: usize = 1 << 17;
+/// Points whose rows a thread writes at a time.
+const CHUNK: usize = 1024;
 
 /// Evaluates a request in the float T and D dimensions.
 pub(super) fn evaluate<T: Real, const D: usize>(
-    request: &Request,
-    particles: &Particles,
-    points: &Points,
-    progress: &ProgressBar,
-) -> Result<Evaluated, Failure> {
-    with_kernel!(request.kernel, K => evaluate_with::<T, D, K>(request, particles, points, progress))
-}
-
-fn evaluate_with<T: Real, const D: usize, K: Kernel>(
     request: &Request,
     particles: &Particles,
     points: &Points,
@@ -46,10 +38,11 @@ fn evaluate_with<T: Real, const D: usize, K: Kernel>(
     let search_seconds = start.elapsed().as_secs_f64();
 
     let start = Instant::now();
-    let weights = Weights::new::<D, K>(particles, &positions, &set, request)?;
+    let weights = Weights::new(particles, &positions, &set, request)?;
     let coefficients: Vec<&[T]> = weights.coefficients.iter().map(Vec::as_slice).collect();
     let fields = set.fields(&coefficients).map_err(failed)?;
     let plan = Plan {
+        kernel: request.kernel,
         estimate: request.estimate,
         gradient: request.gradient,
         has_density: weights.has_density,
@@ -62,13 +55,12 @@ fn evaluate_with<T: Real, const D: usize, K: Kernel>(
     for (batch, rows) in rows.chunks_mut(width * BATCH).enumerate() {
         let first = batch * BATCH;
         if let Some(densities) = &weights.at_particles {
-            rows.par_chunks_exact_mut(width)
-                .zip(&densities[first..])
-                .for_each(|(row, density)| row[0] = density.to_f64());
+            for (row, density) in rows.chunks_exact_mut(width).zip(&densities[first..]) {
+                row[0] = density.to_f64();
+            }
         }
         let skip = usize::from(weights.at_particles.is_some());
-        counts = counts
-            + plan.batch::<T, D, K>(&fields, points, first, Rows { rows, width, skip }).map_err(failed)?;
+        counts = counts + plan.batch(&fields, points, first, Rows { rows, width, skip }).map_err(failed)?;
         progress.inc((rows.len() / width) as u64);
     }
     let columns = columns(names, &rows);
@@ -100,12 +92,22 @@ impl<T: Real, const D: usize> Set<T, D> {
     }
 
     /// ρ at the particles: the bits that the sums at a point of the same place have.
-    fn densities<K: Kernel>(&self, positions: &[[T; D]], masses: &[T]) -> Result<Vec<T>, Error> {
+    fn densities(&self, kernel: KernelName, positions: &[[T; D]], masses: &[T]) -> Result<Vec<T>, Error> {
         match self {
-            Self::Cells(cells) => cells.density::<K>(masses),
-            Self::Levels(levels) => Ok(levels.fields(&[masses])?.at::<K>(positions, false)?.values),
+            Self::Cells(cells) => with_kernel!(kernel, K => cells.density::<K>(masses)),
+            Self::Levels(levels) => Ok(sums(&levels.fields(&[masses])?, kernel, positions, false)?.values),
         }
     }
+}
+
+/// The sums with a kernel by name.
+fn sums<T: Real, const D: usize>(
+    fields: &Fields<'_, T, D>,
+    kernel: KernelName,
+    points: &[[T; D]],
+    gradient: bool,
+) -> Result<Sums<T>, Error> {
+    with_kernel!(kernel, K => fields.at::<K>(points, gradient))
 }
 
 /// What the sums are weighted with.
@@ -119,7 +121,7 @@ struct Weights<T> {
 }
 
 impl<T: Real> Weights<T> {
-    fn new<const D: usize, K: Kernel>(
+    fn new<const D: usize>(
         particles: &Particles,
         positions: &[[T; D]],
         set: &Set<T, D>,
@@ -137,7 +139,7 @@ impl<T: Real> Weights<T> {
             request.at == Where::AtParticles && !request.gradient && matches!(set, Set::Cells(_));
         let summed = match &masses {
             Some(masses) if at_particles || (has_fields && given.is_none()) => {
-                Some(set.densities::<K>(positions, masses).map_err(failed)?)
+                Some(set.densities(request.kernel, positions, masses).map_err(failed)?)
             }
             _ => None,
         };
@@ -174,6 +176,7 @@ impl<T: Real> Weights<T> {
 
 /// How sums become the columns of the result.
 struct Plan {
+    kernel: KernelName,
     estimate: Estimate,
     gradient: bool,
     has_density: bool,
@@ -189,7 +192,7 @@ struct Rows<'a> {
 
 impl Plan {
     /// The rows of a batch of points.
-    fn batch<T: Real, const D: usize, K: Kernel>(
+    fn batch<T: Real, const D: usize>(
         &self,
         fields: &Fields<'_, T, D>,
         points: &Points,
@@ -197,33 +200,35 @@ impl Plan {
         Rows { rows, width, skip }: Rows<'_>,
     ) -> Result<Counts, Error> {
         let position = |point: usize| std::array::from_fn(|axis| T::from_f64(points.along(axis)[point]));
-        let mut at: Vec<[T; D]> = (first..first + rows.len() / width).into_par_iter().map(position).collect();
+        let mut at = vec![[T::ZERO; D]; rows.len() / width];
+        parallel::fill(&mut at, |offset| position(first + offset));
         let fits = |x: &[T; D]| x.iter().all(|component| component.is_finite());
         let outside: Vec<usize> = (0..at.len()).filter(|&point| !fits(&at[point])).collect();
         outside.iter().for_each(|&point| at[point] = [T::ZERO; D]);
 
-        let sums = fields.at::<K>(&at, self.gradient)?;
-        let stride = sums.values.len() / at.len().max(1);
-        let rows_and_sums = rows.par_chunks_exact_mut(width).zip(sums.values.par_chunks_exact(stride.max(1)));
-        let counts = rows_and_sums
-            .zip(&sums.reached)
-            .enumerate()
-            .with_min_len(1024)
-            .map(|(point, ((row, sums), &reached))| {
+        let sums = sums(fields, self.kernel, &at, self.gradient)?;
+        let stride = (sums.values.len() / at.len().max(1)).max(1);
+        let work = rows.chunks_mut(width * CHUNK).zip(sums.values.chunks(stride * CHUNK));
+        let counts = parallel::map(work, |chunk, (rows, values)| {
+            let mut counts = Counts::default();
+            let rows = rows.chunks_exact_mut(width).zip(values.chunks_exact(stride));
+            for (point, (row, values)) in (chunk * CHUNK..).zip(rows) {
                 if outside.binary_search(&point).is_ok() {
                     row.fill(f64::NAN);
-                    return Counts { overflowed: width, ..Counts::default() };
+                    counts.overflowed += width;
+                    continue;
                 }
                 let mut cells = row[skip..].iter_mut();
-                let overflowed = self.row::<T, D>(sums, |value| {
+                counts.out_of_reach += usize::from(sums.reached[point] == 0);
+                counts.overflowed += self.row::<T, D>(values, |value| {
                     if let Some(cell) = cells.next() {
                         *cell = value;
                     }
                 });
-                Counts { out_of_reach: usize::from(reached == 0), overflowed, ..Counts::default() }
-            })
-            .reduce(Counts::default, |a, b| a + b);
-        Ok(counts)
+            }
+            counts
+        });
+        Ok(counts.into_iter().fold(Counts::default(), |a, b| a + b))
     }
 
     /// Turns the sums at one point into a row; returns how many values overflowed.

@@ -1,12 +1,12 @@
 //! The particles in one scalar and one dimension, sorted into cells.
 
-use rayon::prelude::*;
 use sph_core::{CellGrid, CellLayout, Scalar, Sources, field};
 
 use super::load::{Particles, Support};
 use super::units::{Units, fitted};
 use crate::failure::Failure;
 use crate::kernel_choice::{AnyInfluence, Influences, KernelName};
+use crate::parallel;
 
 /// Everything that the sums need, particles in the order of their cells.
 ///
@@ -107,11 +107,10 @@ impl<T: Scalar, const D: usize> Scene<T, D> {
         let densities = match densities {
             Some(densities) => densities,
             None => {
-                let sources = Sources::new(self.search(), &masses[..])?;
-                {
-                    let w = self.influences();
-                    self.positions.par_iter().map(|x| sources.density_at(w, x)).collect()
-                }
+                let (sources, w) = (Sources::new(self.search(), &masses[..])?, self.influences());
+                let mut densities = vec![T::ZERO; self.positions.len()];
+                parallel::fill(&mut densities, |i| sources.density_at(w, &self.positions[i]));
+                densities
             }
         };
         field::volumes(&masses[..], &densities, &mut volumes)?;
@@ -125,7 +124,8 @@ pub(super) fn positions<T: Scalar, const D: usize>(
     units: &Units<D>,
 ) -> Result<Vec<[T; D]>, Failure> {
     let position = |j: usize| units.position(std::array::from_fn(|axis| particles.coordinates[axis][j]));
-    let positions: Vec<[T; D]> = (0..particles.len()).into_par_iter().map(position).collect();
+    let mut positions = vec![[T::ZERO; D]; particles.len()];
+    parallel::fill(&mut positions, position);
     if let Some(j) = positions.iter().position(|x| x.iter().any(|component| !component.is_finite())) {
         let x: [f64; D] = std::array::from_fn(|axis| particles.coordinates[axis][j]);
         let (source, name, h) = (&particles.source, T::NAME, units.length);

@@ -1,0 +1,73 @@
+//! Work spread over rayon's threads, by functions that hold nothing generic of rayon's.
+//!
+//! What rayon compiles for one loop is more than most loops here, and they come once a scalar, dimension and kernel: through
+//! one entry that is compiled once, the crate builds in a fraction of the time.
+
+use std::sync::Mutex;
+
+use rayon::prelude::*;
+
+/// Items that a thread takes at a time in [`fill`].
+const CHUNK: usize = 256;
+
+/// f(0), f(1) … f(count − 1), in any order and on any thread.
+fn each(count: usize, f: &(dyn Fn(usize) + Sync)) {
+    (0..count).into_par_iter().for_each(f);
+}
+
+/// What a mutex guards; a thread that panicked with it takes the whole run down anyway.
+fn within<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(std::sync::PoisonError::into_inner)
+}
+
+/// Hands each piece of work to a thread, with its number; what came of them, in order.
+pub(crate) fn map<W: Send, R: Send>(
+    work: impl Iterator<Item = W>,
+    f: impl Fn(usize, W) -> R + Sync,
+) -> Vec<R> {
+    let slots: Vec<_> = work.map(|piece| Mutex::new((Some(piece), None))).collect();
+    each(slots.len(), &|number| {
+        let mut slot = within(&slots[number]);
+        slot.1 = slot.0.take().map(|piece| f(number, piece));
+    });
+    let result = |slot: Mutex<(Option<W>, Option<R>)>| {
+        slot.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner).1
+    };
+    slots.into_iter().filter_map(result).collect()
+}
+
+/// Hands each piece of work to a thread, with its number.
+pub(crate) fn for_each<W: Send>(work: impl Iterator<Item = W>, f: impl Fn(usize, W) + Sync) {
+    let slots: Vec<_> = work.map(|piece| Mutex::new(Some(piece))).collect();
+    each(slots.len(), &|number| {
+        let piece = within(&slots[number]).take();
+        piece.into_iter().for_each(|piece| f(number, piece));
+    });
+}
+
+/// out[i] = f(i)
+pub(crate) fn fill<T: Send>(out: &mut [T], f: impl Fn(usize) -> T + Sync) {
+    for_each(out.chunks_mut(CHUNK), |number, chunk| {
+        for (offset, slot) in chunk.iter_mut().enumerate() {
+            *slot = f(number * CHUNK + offset);
+        }
+    });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_piece_is_done_once_and_results_keep_their_order() {
+        let mut numbers = vec![0_usize; 3 * CHUNK + 7];
+        fill(&mut numbers, |i| i * i);
+        assert!(numbers.iter().enumerate().all(|(i, &n)| n == i * i));
+        for_each(numbers.chunks_mut(10), |number, chunk| chunk.iter_mut().for_each(|n| *n += number));
+        assert!(numbers.iter().enumerate().all(|(i, &n)| n == i * i + i / 10));
+        let sums = map(numbers.chunks(100), |number, chunk| (number, chunk.iter().sum::<usize>()));
+        assert!(sums.iter().enumerate().all(|(i, sum)| sum.0 == i));
+        assert_eq!(sums.iter().map(|sum| sum.1).sum::<usize>(), numbers.iter().sum::<usize>());
+        assert!(map(std::iter::empty::<u8>(), |_, _| ()).is_empty());
+    }
+}
