@@ -47,7 +47,7 @@ impl std::error::Error for Failure {}
 impl From<ReadError> for Failure {
     fn from(error: ReadError) -> Self {
         match error {
-            ReadError::UnknownEnding { .. } => Self::Usage(error.to_string()),
+            ReadError::UnknownEnding { .. } | ReadError::NotInPieces { .. } => Self::Usage(error.to_string()),
             _ => Self::Input(error.to_string()),
         }
     }

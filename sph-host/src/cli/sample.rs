@@ -86,6 +86,9 @@ pub(super) struct SampleArgs {
     #[arg(long = "particles", value_name = "N", value_parser = parse::count)]
     count: Option<usize>,
 
+    /// Read so many particles at a time, for a .csv, .tsv or .npz file larger than memory, at points or on a grid
+    #[arg(long, value_name = "N", value_parser = parse::count, conflicts_with = "at_particles")]
+    chunk: Option<usize>,
     /// Threads; without it, one for each core. No bit of the result depends on it
     #[arg(long, value_name = "N", value_parser = parse::count)]
     threads: Option<usize>,
@@ -143,6 +146,9 @@ fn request(args: SampleArgs) -> Result<Request, Failure> {
     }
     let dim = args.dim.map(usize::from);
     let particles = particulars(args.particles, args.count)?;
+    if args.chunk.is_some() && matches!(particles, Particulars::Demo(..)) {
+        return Err(Failure::usage("--chunk reads a file some particles at a time, not a built-in set"));
+    }
     let at = match (args.at, args.grid) {
         (Some(path), _) => Where::At(path),
         (None, Some(Counts(counts))) => {
@@ -174,6 +180,7 @@ fn request(args: SampleArgs) -> Result<Request, Failure> {
         recompute_density: args.recompute_density,
         scalar: args.scalar,
         threads: args.threads,
+        chunk: args.chunk,
         exact: args.exact,
     })
 }

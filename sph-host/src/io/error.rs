@@ -12,6 +12,12 @@ pub enum ReadError {
         /// The file's name as given.
         file: String,
     },
+    /// The file's name ends in nothing that can be read piece by piece: the words are at fault, not the file.
+    #[error("{file}: a file is read in pieces by its ending, one of .csv, .tsv, .npz")]
+    NotInPieces {
+        /// The file's name as given.
+        file: String,
+    },
     /// The system would not give the file's bytes.
     #[error("{file}: {source}")]
     Io {

@@ -11,6 +11,8 @@
 //! | `.vtu`, `.vtp` | VTK's XML: ASCII, base64 and raw, inline and appended, plain and zlib |
 //! | `.npz` | NumPy: arrays `x`, `y`, `z`, or `pos` of N×D; stored or deflated |
 //!
+//! [`Pieces`] reads text tables and archives some points at a time, for files larger than memory.
+//!
 //! What is wrong with an array that nobody uses does no harm: the array carries its [`Fault`], and asking for it by
 //! [`PointTable::quantity`] is the error. Whether values are finite or positive is asked when they are used, by
 //! [`PointTable::require_finite`] and [`PointTable::require_positive`].
@@ -40,5 +42,5 @@ mod table;
 
 pub use error::ReadError;
 pub use quantity::Quantity;
-pub use read::{ENDINGS, read};
+pub use read::{ENDINGS, Pieces, read};
 pub use table::{Array, Fault, PointTable};

@@ -60,6 +60,15 @@ impl Particles {
 /// Reads and checks the particles of a request.
 pub(super) fn particles(request: &Request) -> Result<Particles, Failure> {
     let (table, own_support) = table(&request.particles)?;
+    checked(table, own_support, request)
+}
+
+/// The particles of a table, with the support radius of a built-in set.
+pub(super) fn checked(
+    table: PointTable,
+    own_support: Option<f64>,
+    request: &Request,
+) -> Result<Particles, Failure> {
     if table.is_empty() {
         return Err(Failure::input(format!("{}: there are no particles in it", table.source)));
     }

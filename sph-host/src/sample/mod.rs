@@ -7,9 +7,11 @@
 mod evaluate;
 mod evaluate_fast;
 mod load;
+mod outline;
 mod points;
 mod request;
 mod scene;
+mod slabs;
 mod stencil;
 mod units;
 
@@ -59,7 +61,12 @@ const MOST_THREADS: usize = 256;
 pub fn run(request: &Request, progress: &ProgressBar) -> Result<Sampled, Failure> {
     points::refuse_oversize(request)?;
     let start = Instant::now();
-    let particles = load::particles(request)?;
+    let mut slabs = slabs(request)?;
+    let particles = match &slabs {
+        Some(slabs) => slabs.corners()?,
+        None => load::particles(request)?,
+    };
+    let count = slabs.as_ref().map_or(particles.len(), slabs::Slabs::count);
     let points = points::points(request, &particles)?;
     let read = start.elapsed().as_secs_f64();
 
@@ -68,16 +75,19 @@ pub fn run(request: &Request, progress: &ProgressBar) -> Result<Sampled, Failure
         .num_threads(request.threads.map_or(0, |threads| threads.min(MOST_THREADS)))
         .build()
         .map_err(|error| Failure::input(format!("cannot start the threads: {error}")))?;
-    let done = pool.install(|| evaluate(request, &particles, &points, progress))?;
+    let done = pool.install(|| match &mut slabs {
+        Some(slabs) => slabs.evaluate(request, &points, progress),
+        None => evaluate(request, &particles, &points, progress),
+    })?;
     progress.finish_and_clear();
 
     let precision = if request.scalar == ScalarName::F32 { Precision::F32 } else { Precision::F64 };
-    let caption = caption(request, &particles);
+    let caption = caption(request, &particles, count);
     let warnings = warnings(&done.counts, points.len());
     let (coordinates, grid) = points.into_table();
     Ok(Sampled {
         table: Table { coordinates, columns: done.columns, grid, precision, caption },
-        particles: particles.len(),
+        particles: count,
         threads: pool.current_num_threads(),
         warnings,
         timing: Timing { read, search: done.search_seconds, evaluate: done.evaluate_seconds },
@@ -108,12 +118,20 @@ fn evaluate(
     }
 }
 
-fn caption(request: &Request, particles: &Particles) -> String {
+/// The file's particles in slabs, where it is to be read in pieces.
+fn slabs(request: &Request) -> Result<Option<slabs::Slabs>, Failure> {
+    match (&request.particles, request.chunk) {
+        (Particulars::File(path), Some(most)) => slabs::Slabs::read(path, most, request).map(Some),
+        _ => Ok(None),
+    }
+}
+
+fn caption(request: &Request, particles: &Particles, count: usize) -> String {
     let support = match &particles.support {
         Support::Uniform(h) => format!("h = {:.4}", load::Significant(*h)),
         Support::PerParticle(_) => String::from("h of each particle"),
     };
-    format!("{}: {} particles, {}, {support}", particles.source, particles.len(), request.kernel.name())
+    format!("{}: {count} particles, {}, {support}", particles.source, request.kernel.name())
 }
 
 fn warnings(counts: &evaluate::Counts, points: usize) -> Vec<String> {

@@ -21,6 +21,12 @@ impl Points {
         self.coordinates[0].len()
     }
 
+    /// Some of them, by number.
+    pub(super) fn some(&self, numbers: &[usize]) -> Self {
+        let some = |axis: &Vec<f64>| numbers.iter().map(|&number| axis[number]).collect();
+        Self { coordinates: self.coordinates.iter().map(some).collect(), grid: None }
+    }
+
     /// The coordinates along one axis.
     pub(super) fn along(&self, axis: usize) -> &[f64] {
         &self.coordinates[axis]

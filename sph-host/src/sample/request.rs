@@ -84,6 +84,8 @@ pub struct Request {
     pub scalar: ScalarName,
     /// Threads; none: one for each core.
     pub threads: Option<usize>,
+    /// How many particles are read at a time, so that a file may be larger than memory; none: all.
+    pub chunk: Option<usize>,
     /// Whether sums go in sph-core's documented order, so that the bits are those of firmware.
     pub exact: bool,
 }

@@ -1,5 +1,6 @@
 //! The command `fluisim` from outside: what is promised of `sample` and `kernels`, sentence by sentence.
 
+mod chunks;
 mod columns;
 mod csv_files;
 mod data_errors;

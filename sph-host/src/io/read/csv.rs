@@ -1,6 +1,6 @@
 //! Text tables: `.csv` and `.tsv`.
 //!
-//! One pass, column by column; the float parser rounds correctly, so what was printed in full is read to the bit.
+//! One pass, column by column, whole or some rows at a time; the float parser rounds correctly, so what was printed in full is read to the bit.
 
 use super::records::Records;
 use crate::io::error::{Parsed, Problem, shown};
@@ -18,42 +18,66 @@ struct Column {
     fault: Option<(usize, String)>,
 }
 
-/// Reads a table of cells with `delimiter` between them.
-pub(super) fn read(input: impl BufRead, delimiter: u8) -> Parsed<PointTable> {
-    let mut records = Records::new(input, delimiter);
-    let Some(header) = records.advance()? else {
-        return Err(Problem::new("there is no header, nothing but blank lines and comments"));
-    };
-    let mut columns = columns(header, &records)?;
-    let mut rows = Rows::Lines(header, Vec::new());
-    let mut row = 0;
-    while let Some(line) = records.advance()? {
-        if records.len() != columns.len() {
-            let (have, want) = (records.len(), columns.len());
-            let problem = format!("the row has {have} cells where the header has {want}");
-            return Err(Problem::at(format!("line {line}"), problem));
-        }
-        rows.push(row, line);
-        for (column, cell) in columns.iter_mut().zip(records.cells()) {
-            column.push(line, cell);
-        }
-        row += 1;
-    }
-    let names: Vec<String> = columns.iter().map(|column| shown(column.name.as_bytes())).collect();
-    let mut arrays: Vec<Array> = columns.into_iter().map(Column::finish).collect();
-    let coordinates =
-        take_coordinates(&mut arrays).map_err(|problem| problem.or_at(&format!("line {header}")))?;
-    if coordinates.is_empty() {
-        let problem = format!("no column is called `x`; there are {}", names.join(", "));
-        return Err(Problem::at(format!("line {header}"), problem));
-    }
-    PointTable::assemble(coordinates, arrays, rows)
+/// A text table on its way in.
+pub(super) struct Text<R> {
+    records: Records<R>,
+    /// The line of the header.
+    header: usize,
+    names: Vec<String>,
 }
 
-/// The columns that the header on line `header` names.
-fn columns<R: BufRead>(header: usize, records: &Records<R>) -> Parsed<Vec<Column>> {
+/// Reads a table of cells with `delimiter` between them.
+pub(super) fn read(input: impl BufRead, delimiter: u8) -> Parsed<PointTable> {
+    Text::open(input, delimiter)?.piece(usize::MAX)
+}
+
+impl<R: BufRead> Text<R> {
+    /// Reads the header.
+    pub(super) fn open(input: R, delimiter: u8) -> Parsed<Self> {
+        let mut records = Records::new(input, delimiter);
+        let Some(header) = records.advance()? else {
+            return Err(Problem::new("there is no header, nothing but blank lines and comments"));
+        };
+        let names = names(header, &records)?;
+        Ok(Self { records, header, names })
+    }
+
+    /// The next rows, at most so many.
+    pub(super) fn piece(&mut self, most: usize) -> Parsed<PointTable> {
+        let header = self.header;
+        let mut columns: Vec<Column> = self.names.iter().map(|name| Column::new(name)).collect();
+        let mut rows = Rows::Lines(header, Vec::new());
+        let mut row = 0;
+        while row < most
+            && let Some(line) = self.records.advance()?
+        {
+            if self.records.len() != columns.len() {
+                let (have, want) = (self.records.len(), columns.len());
+                let problem = format!("the row has {have} cells where the header has {want}");
+                return Err(Problem::at(format!("line {line}"), problem));
+            }
+            rows.push(row, line);
+            for (column, cell) in columns.iter_mut().zip(self.records.cells()) {
+                column.push(line, cell);
+            }
+            row += 1;
+        }
+        let mut arrays: Vec<Array> = columns.into_iter().map(Column::finish).collect();
+        let coordinates =
+            take_coordinates(&mut arrays).map_err(|problem| problem.or_at(&format!("line {header}")))?;
+        if coordinates.is_empty() {
+            let names: Vec<String> = self.names.iter().map(|name| shown(name.as_bytes())).collect();
+            let problem = format!("no column is called `x`; there are {}", names.join(", "));
+            return Err(Problem::at(format!("line {header}"), problem));
+        }
+        PointTable::assemble(coordinates, arrays, rows)
+    }
+}
+
+/// The names of the columns in the header on line `header`.
+fn names<R: BufRead>(header: usize, records: &Records<R>) -> Parsed<Vec<String>> {
     let at = format!("line {header}");
-    let mut columns = Vec::new();
+    let mut names = Vec::new();
     for (index, cell) in records.cells().enumerate() {
         let place = || format!("{at}, column {}", index + 1);
         let name = std::str::from_utf8(cell)
@@ -65,14 +89,18 @@ fn columns<R: BufRead>(header: usize, records: &Records<R>) -> Parsed<Vec<Column
             let problem = format!("{} is a number, where the header's name is expected", shown(cell));
             return Err(Problem::at(place(), problem));
         }
-        columns.push(Column { name: name.to_owned(), values: Vec::new(), has_numbers: false, fault: None });
+        names.push(name.to_owned());
     }
-    check_names(columns.iter().map(|column| column.name.as_str()))
+    check_names(names.iter().map(String::as_str))
         .map_err(|problem| Problem::at(at, format!("two columns have one name: {problem}")))?;
-    Ok(columns)
+    Ok(names)
 }
 
 impl Column {
+    fn new(name: &str) -> Self {
+        Self { name: name.to_owned(), values: Vec::new(), has_numbers: false, fault: None }
+    }
+
     #[inline]
     fn push(&mut self, line: usize, cell: &[u8]) {
         match numbers::parse(cell) {

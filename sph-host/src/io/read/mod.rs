@@ -6,12 +6,15 @@ mod legacy;
 mod legacy_text;
 mod npy;
 mod npz;
+mod npz_rows;
+mod pieces;
 mod records;
 mod xml;
 mod xml_arrays;
 
 use super::error::{Parsed, Problem, ReadError};
 use super::table::{Array, PointTable, Rows};
+pub use pieces::Pieces;
 use std::fs::File;
 use std::io::{BufRead, BufReader, Read};
 use std::path::Path;

@@ -5,6 +5,7 @@
 
 use crate::io::error::shown;
 use crate::io::numbers::{Endian, Stored};
+use std::io::Read;
 
 /// What the header of a `.npy` file says.
 #[derive(Debug, PartialEq)]
@@ -17,21 +18,31 @@ pub(super) struct Header {
 
 impl Header {
     /// The header, and the bytes behind it.
-    pub(super) fn split(file: &[u8]) -> Result<(Self, &[u8]), String> {
-        let wrong = || "not an array of NumPy, or cut short".to_owned();
-        let rest = file.strip_prefix(b"\x93NUMPY").ok_or_else(wrong)?;
-        let (&[major, _minor], rest) = rest.split_first_chunk().ok_or_else(wrong)?;
-        let (length, rest) = if major == 1 {
-            let (length, rest) = rest.split_first_chunk().ok_or_else(wrong)?;
-            (usize::from(u16::from_le_bytes(*length)), rest)
-        } else {
-            let (length, rest) = rest.split_first_chunk().ok_or_else(wrong)?;
-            (usize::try_from(u32::from_le_bytes(*length)).map_err(|_| wrong())?, rest)
-        };
-        let (text, data) = rest.split_at_checked(length).ok_or_else(wrong)?;
-        let header = std::str::from_utf8(text).ok().and_then(Self::parse);
-        let header = header.ok_or_else(|| format!("the header {} is not one of NumPy", shown(text)))?;
-        Ok((header, data))
+    pub(super) fn split(mut file: &[u8]) -> Result<(Self, &[u8]), String> {
+        let header = Self::read(&mut file)?;
+        Ok((header, file))
+    }
+
+    /// The header, from a reader that then stands at the bytes behind it.
+    pub(super) fn read(input: &mut impl Read) -> Result<Self, String> {
+        let wrong = |_| "not an array of NumPy, or cut short".to_owned();
+        let mut start = [0; 8];
+        input.read_exact(&mut start).map_err(wrong)?;
+        let [magic @ .., major, _minor] = start;
+        if magic != *b"\x93NUMPY" {
+            return Err("not an array of NumPy, or cut short".to_owned());
+        }
+        let mut length = [0; 4];
+        let bytes = if major == 1 { 2 } else { 4 };
+        input.read_exact(&mut length[..bytes]).map_err(wrong)?;
+        let length = u32::from_le_bytes(length);
+        let mut text = Vec::new();
+        let found = input.take(u64::from(length)).read_to_end(&mut text).map_err(wrong)?;
+        if found as u64 != u64::from(length) {
+            return Err("not an array of NumPy, or cut short".to_owned());
+        }
+        let header = std::str::from_utf8(&text).ok().and_then(Self::parse);
+        header.ok_or_else(|| format!("the header {} is not one of NumPy", shown(&text)))
     }
 
     fn parse(text: &str) -> Option<Self> {

@@ -10,10 +10,11 @@ use zip::ZipArchive;
 const MOST_PACKED: u64 = 1032;
 
 /// An array of an archive, or why it is none.
-struct Member {
-    name: String,
-    shape: Vec<usize>,
-    values: Result<Vec<f64>, String>,
+pub(super) struct Member {
+    pub(super) name: String,
+    pub(super) shape: Vec<usize>,
+    /// Its numbers, or why there are none to use and whether there are numbers at all.
+    pub(super) values: Result<Vec<f64>, (String, bool)>,
 }
 
 /// Reads an archive with the arrays `x`, `y`, `z`, or `pos` of N×D.
@@ -24,6 +25,11 @@ pub(super) fn read(input: impl Read + Seek) -> Parsed<PointTable> {
     for index in 0..archive.len() {
         members.extend(member(&mut archive, index)?);
     }
+    assemble(members)
+}
+
+/// A table of arrays.
+pub(super) fn assemble(mut members: Vec<Member>) -> Parsed<PointTable> {
     let pos = members.iter().position(|member| member.name.eq_ignore_ascii_case("pos"));
     let mut coordinates = match pos {
         Some(index) => positions(members.remove(index))?,
@@ -64,7 +70,7 @@ fn member<R: Read + Seek>(archive: &mut ZipArchive<R>, index: usize) -> Parsed<O
     let (header, data) = Header::split(&bytes).map_err(&wrong)?;
     let values = match header.stored() {
         Some((stored, endian)) => Ok(header.numbers(stored, endian, data).map_err(wrong)?),
-        None => Err(format!("values of type {} where numbers are expected", header.descr)),
+        None => Err((format!("values of type {} where numbers are expected", header.descr), false)),
     };
     Ok(Some(Member { name, shape: header.shape, values }))
 }
@@ -74,7 +80,7 @@ impl Member {
     fn array(self, points: usize) -> Array {
         let name = self.name;
         match (self.values, self.shape.split_first()) {
-            (Err(problem), _) => Array::unusable(name, problem, false),
+            (Err((problem, has_numbers)), _) => Array::unusable(name, problem, has_numbers),
             // A single number says something of the whole, not of the points.
             (Ok(_), None) => Array::unusable(name, "a single number where one a point is expected", false),
             (Ok(values), Some((&rows, rest))) => {
@@ -91,14 +97,14 @@ impl Member {
 }
 
 /// Whether the lengths of this array are compared with each other later.
-fn is_axis(name: &str) -> bool {
+pub(super) fn is_axis(name: &str) -> bool {
     AXES.iter().any(|axis| name.eq_ignore_ascii_case(axis))
 }
 
 /// The coordinates of `pos`, axis by axis.
 fn positions(pos: Member) -> Parsed<Vec<Vec<f64>>> {
     let at = format!("array `{}`", pos.name);
-    let values = pos.values.map_err(|problem| Problem::at(&at, problem))?;
+    let values = pos.values.map_err(|(problem, _)| Problem::at(&at, problem))?;
     match pos.shape[..] {
         [_, axes @ 1..=3] => {
             let axis = |axis: usize| values.iter().skip(axis).step_by(axes).copied().collect();
