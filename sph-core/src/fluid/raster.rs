@@ -168,6 +168,28 @@ mod tests {
     }
 
     #[test]
+    fn a_lamp_stays_as_it_is_between_the_thresholds() {
+        let mut raster = Raster::<8, 4>::new();
+        let (mut dark_between, mut lit_between, mut was) = (0, 0, false);
+        // the surface goes right through the fifth column and back
+        for step in (0..=100).chain((0..100).rev()) {
+            raster.update(&filled(step as f32 / 100.0), 1.0);
+            let (density, is_lit) = (raster.density(4, 1), raster.is_lit(4, 1));
+            match density {
+                0..64 => assert!(!is_lit),
+                96.. => assert!(is_lit),
+                _ => {
+                    assert_eq!(is_lit, was, "{density}");
+                    dark_between += usize::from(!is_lit);
+                    lit_between += usize::from(is_lit);
+                }
+            }
+            was = is_lit;
+        }
+        assert!(dark_between > 0 && lit_between > 0);
+    }
+
+    #[test]
     fn senseless_pixels_show_nothing() {
         let mut raster = Raster::<3, 3>::new();
         for pixel in [0.0, -1.0, f32::NAN, f32::INFINITY] {

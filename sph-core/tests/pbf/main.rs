@@ -167,6 +167,20 @@ fn coincident_particles_part() {
     assert!(spacings[0] > 0.5, "{:?}", &spacings[..4]);
 }
 
+/// Far from walls and without gravity too, where nothing but the pair itself tells them apart.
+#[test]
+fn a_coincident_pair_parts_by_itself() {
+    let mut fluid = PositionBasedFluid::<f32, _, 2, 2, 49>::new(OpenBox::new([6.5; 2]));
+    for _ in 0..2 {
+        fluid.add(at(3.0, 3.0)).unwrap();
+    }
+    for _ in 0..100 {
+        fluid.step([0.0; 2]);
+    }
+    let spacings = measure::state(fluid.particles()).spacings();
+    assert!(spacings[0] > 0.35, "{spacings:?}");
+}
+
 #[cfg(feature = "fixed")]
 mod fixed_point {
     use super::*;
