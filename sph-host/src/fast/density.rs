@@ -7,15 +7,14 @@ use rayon::prelude::*;
 use sph_core::kernel::Kernel;
 use sph_core::{Error, KernelInfluence, Parameter, PerSample};
 
-use super::collect::{Collect, Found, Span};
-use super::evaluate::SumProfiles;
+use super::around::Around;
+use super::cells::Run;
+use super::pairs::{Gather, Pairs, Scratch};
 use super::set::{Cells, check_length};
 use super::simd::Real;
 
 /// Particles that a thread takes at a time.
-const CHUNK: usize = 2048;
-/// Particles whose neighbours are gathered before they are summed over: what is gathered fits the first cache.
-const GROUP: usize = 64;
+const CHUNK: usize = 4096;
 
 impl<T: Real, const D: usize> Cells<T, D> {
     /// ρ_i at every particle, itself included, in the order of the input. Masses are a slice, or one
@@ -45,62 +44,102 @@ impl<T: Real, const D: usize> Cells<T, D> {
 
     /// constant · Σ m_j f, m_j = 1 where there are no masses.
     fn densities<K: Kernel>(&self, constant: T, masses: Option<Vec<T>>) -> Vec<T> {
+        let work = (0..self.len().div_ceil(CHUNK)).into_par_iter();
+        let windows: Vec<Window<T>> = work
+            .map_init(Scratch::default, |scratch, chunk| {
+                let particles = chunk * CHUNK..self.len().min((chunk + 1) * CHUNK);
+                self.window::<K>(particles, masses.as_deref(), scratch)
+            })
+            .collect();
         let mut sorted = vec![T::ZERO; self.len()];
-        let work = sorted.par_chunks_mut(CHUNK).enumerate();
-        work.for_each_init(Scratch::default, |scratch, (chunk, out)| {
-            for (group, out) in out.chunks_mut(GROUP).enumerate() {
-                let first = chunk * CHUNK + group * GROUP;
-                self.group::<K>(first..first + out.len(), constant, masses.as_deref(), out, scratch);
-            }
-        });
+        windows.iter().for_each(|window| window.add_to(&mut sorted));
         let mut density = vec![T::ZERO; self.len()];
-        for (&index, &value) in self.sorted.order.iter().zip(&sorted) {
-            density[index as usize] = value;
+        for (&index, &sum) in self.sorted.order.iter().zip(&sorted) {
+            density[index as usize] = sum * constant;
         }
         density
     }
 
-    /// The densities of some consecutive particles.
-    fn group<K: Kernel>(
+    /// What pairs with some consecutive particles contribute to them and to those that come later.
+    fn window<K: Kernel>(
         &self,
-        range: Range<usize>,
-        constant: T,
+        particles: Range<usize>,
         masses: Option<&[T]>,
-        out: &mut [T],
-        Scratch { found, spans, picked }: &mut Scratch<T>,
-    ) {
-        let (points, places) = (&self.sorted, masses.is_some());
-        let search = Collect { cells: self, own_limits: None, points, range, places, found, spans };
-        let end = T::dispatch(self.level, search);
-        if let Some(masses) = masses {
-            picked.clear();
-            picked.resize(end, T::ZERO);
-            for span in spans.iter() {
-                for (out, &place) in picked[span.particles()].iter_mut().zip(&found.places[span.particles()])
-                {
-                    *out = masses[place as usize];
-                }
-            }
+        scratch: &mut Scratch<T, D>,
+    ) -> Window<T> {
+        let mut window = Window::new(self.later(&particles));
+        let mut rest = particles;
+        while !rest.is_empty() {
+            let group = Around::group(self, &rest);
+            let gather = Gather { cells: self, group: group.clone(), around: &mut scratch.around };
+            T::dispatch(self.level, gather);
+            let pairs =
+                Pairs { cells: self, group: group.clone(), masses, scratch, kernel: PhantomData::<K> };
+            T::dispatch(self.level, pairs);
+            window.add(scratch.around.places(), &scratch.sums);
+            rest.start = group.end;
         }
-        let inverse = T::ONE / self.radius;
-        let sums = SumProfiles {
-            squares: &found.squares,
-            inverse_square: inverse * inverse,
-            coefficients: masses.map(|_| &picked[..]),
-            spans,
-            constant,
-            out,
-            kernel: PhantomData::<K>,
-            line: D == 1,
+        window
+    }
+
+    /// The places, not before some consecutive particles, that are in reach of them: ranges in order, which do not overlap.
+    fn later(&self, particles: &Range<usize>) -> Vec<Range<usize>> {
+        let row = |place: usize| self.layout.row(&self.sorted.position(place));
+        let (first, last) = (row(particles.start), row(particles.end - 1));
+        let cells: Vec<Run> = if first == last {
+            let (lower, upper) = self.corners(particles.clone());
+            let (mut lower, mut upper) = (lower.map(|c| c.to_f64()), upper.map(|c| c.to_f64()));
+            // a little wider, lest another rounding make it narrower than what a group of these reaches
+            let margin = 1e-3 * self.radius.to_f64();
+            (lower[0], upper[0]) = (lower[0] - margin, upper[0] + margin);
+            self.layout.runs(&lower, &upper).to_vec()
+        } else {
+            self.layout.later_rows(first, last).to_vec()
         };
-        T::dispatch(self.level, sums);
+        let ranges = cells.iter().map(|run| self.sorted.range(run));
+        ranges
+            .map(|(first, last)| particles.start.max(first as usize)..last as usize)
+            .filter(|range| !range.is_empty())
+            .collect()
     }
 }
 
-/// Memory that is used again.
-#[derive(Default)]
-struct Scratch<T> {
-    found: Found<T>,
-    spans: Vec<Span>,
-    picked: Vec<T>,
+/// Sums at ranges of places.
+struct Window<T> {
+    ranges: Vec<Range<usize>>,
+    /// Range by range.
+    sums: Vec<T>,
+}
+
+impl<T: Real> Window<T> {
+    fn new(ranges: Vec<Range<usize>>) -> Self {
+        let length = ranges.iter().map(ExactSizeIterator::len).sum();
+        Self { ranges, sums: vec![T::ZERO; length] }
+    }
+
+    /// Adds numbers at ascending places.
+    #[inline]
+    fn add(&mut self, places: &[u32], numbers: &[T]) {
+        let mut ranges = self.ranges.iter();
+        let (mut end, mut shift, mut length) = (0, 0, 0);
+        for (&place, &number) in places.iter().zip(numbers) {
+            while place as usize >= end
+                && let Some(range) = ranges.next()
+            {
+                (end, shift) = (range.end, range.start - length);
+                length += range.len();
+            }
+            self.sums[place as usize - shift] += number;
+        }
+    }
+
+    /// Adds all sums where they belong.
+    fn add_to(&self, sorted: &mut [T]) {
+        let mut sums = &self.sums[..];
+        for range in &self.ranges {
+            let (own, rest) = sums.split_at(range.len());
+            sorted[range.clone()].iter_mut().zip(own).for_each(|(sum, &more)| *sum += more);
+            sums = rest;
+        }
+    }
 }
