@@ -8,7 +8,7 @@ use super::set::Cells;
 use super::simd::{BLOCK, Isa, Real};
 
 /// Particles that share a search: with more, fewer of those that are near one of them are near another.
-pub(super) const GROUP: usize = 8;
+pub(super) const GROUP: usize = 12;
 
 /// The particles in reach of the box of a group. The lists are longer than what was found: the rest is left over.
 #[derive(Clone, Debug)]

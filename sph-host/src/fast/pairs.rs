@@ -81,7 +81,7 @@ impl<T: Real, K: Kernel, const D: usize> Pairs<'_, T, K, D> {
         sums.fill(T::ZERO);
         let inverse = T::ONE / self.cells.radius;
         let inverse_square = Lanes::splat(inverse * inverse);
-        let mut own = [T::ZERO; GROUP];
+        let mut own = [[T::ZERO; BLOCK]; GROUP];
         for (i, own) in own.iter_mut().enumerate().take(self.group.len()) {
             let x = axes.map(|axis| Lanes::splat(axis[i]));
             let mass = Lanes::splat(masses[i]);
@@ -98,8 +98,10 @@ impl<T: Real, K: Kernel, const D: usize> Pairs<'_, T, K, D> {
                     *sums = (Lanes(*sums) + f).0;
                 }
             }
-            [*own] = totals(&[columns.0]);
+            *own = columns.0;
         }
-        sums[..self.group.len()].copy_from_slice(&own[..self.group.len()]);
+        for (sum, own) in sums.iter_mut().zip(totals(&own)).take(self.group.len()) {
+            *sum = own;
+        }
     }
 }
