@@ -30,6 +30,7 @@ impl<T, const D: usize> Default for Around<T, D> {
 
 impl<T: Real, const D: usize> Around<T, D> {
     /// Splits off the first few of some consecutive particles: they are in one row of cells and not far apart.
+    #[inline(always)]
     pub(super) fn group(cells: &Cells<T, D>, particles: &Range<usize>) -> Range<usize> {
         let first = cells.sorted.position(particles.start);
         let (row, spread) = (cells.layout.row(&first), cells.radius);

@@ -3,7 +3,6 @@
 use std::marker::PhantomData;
 use std::ops::Range;
 
-use rayon::prelude::*;
 use sph_core::kernel::Kernel;
 use sph_core::{Error, KernelInfluence, Parameter, PerSample};
 
@@ -12,6 +11,7 @@ use super::cells::Run;
 use super::pairs::{Gather, Pairs, Scratch};
 use super::set::{Cells, check_length};
 use super::simd::Real;
+use crate::parallel;
 
 /// Particles that a thread takes at a time.
 const CHUNK: usize = 4096;
@@ -36,21 +36,19 @@ impl<T: Real, const D: usize> Cells<T, D> {
         if let Some(count) = masses.count() {
             check_length(count, self.len(), Parameter::Mass)?;
             let own = self.sorted.order.iter().map(|&j| masses.get(j as usize).unwrap_or(T::ZERO)).collect();
-            return Ok(self.densities::<K>(w.normalisation(), Some(own)));
+            return Ok(self.densities(add_pairs::<T, K, D>, w.normalisation(), Some(own)));
         }
         let mass = masses.get(0).unwrap_or(T::ZERO);
-        Ok(self.densities::<K>(w.normalisation() * mass, None))
+        Ok(self.densities(add_pairs::<T, K, D>, w.normalisation() * mass, None))
     }
 
     /// constant · Σ m_j f, m_j = 1 where there are no masses.
-    fn densities<K: Kernel>(&self, constant: T, masses: Option<Vec<T>>) -> Vec<T> {
-        let work = (0..self.len().div_ceil(CHUNK)).into_par_iter();
-        let windows: Vec<Window<T>> = work
-            .map_init(Scratch::default, |scratch, chunk| {
-                let particles = chunk * CHUNK..self.len().min((chunk + 1) * CHUNK);
-                self.window::<K>(particles, masses.as_deref(), scratch)
-            })
-            .collect();
+    fn densities(&self, pairs: AddPairs<T, D>, constant: T, masses: Option<Vec<T>>) -> Vec<T> {
+        let chunks = (0..self.len()).step_by(CHUNK);
+        let windows = parallel::map(chunks, |_, first| {
+            let particles = first..self.len().min(first + CHUNK);
+            self.window(pairs, particles, masses.as_deref())
+        });
         let mut sorted = vec![T::ZERO; self.len()];
         windows.iter().for_each(|window| window.add_to(&mut sorted));
         let mut density = vec![T::ZERO; self.len()];
@@ -61,21 +59,15 @@ impl<T: Real, const D: usize> Cells<T, D> {
     }
 
     /// What pairs with some consecutive particles contribute to them and to those that come later.
-    fn window<K: Kernel>(
-        &self,
-        particles: Range<usize>,
-        masses: Option<&[T]>,
-        scratch: &mut Scratch<T, D>,
-    ) -> Window<T> {
+    fn window(&self, pairs: AddPairs<T, D>, particles: Range<usize>, masses: Option<&[T]>) -> Window<T> {
         let mut window = Window::new(self.later(&particles));
+        let mut scratch = Scratch::default();
         let mut rest = particles;
         while !rest.is_empty() {
             let group = Around::group(self, &rest);
-            let gather = Gather { cells: self, group: group.clone(), around: &mut scratch.around };
-            T::dispatch(self.level, gather);
-            let pairs =
-                Pairs { cells: self, group: group.clone(), masses, scratch, kernel: PhantomData::<K> };
-            T::dispatch(self.level, pairs);
+            let around = &mut scratch.around;
+            T::dispatch(self.level, Gather { cells: self, group: group.clone(), around });
+            pairs(self, group.clone(), masses, &mut scratch);
             window.add(scratch.around.places(), &scratch.sums);
             rest.start = group.end;
         }
@@ -102,6 +94,18 @@ impl<T: Real, const D: usize> Cells<T, D> {
             .filter(|range| !range.is_empty())
             .collect()
     }
+}
+
+/// Runs [`Pairs`] with some kernel: the one function here that is compiled for each.
+type AddPairs<T, const D: usize> = fn(&Cells<T, D>, Range<usize>, Option<&[T]>, &mut Scratch<T, D>);
+
+fn add_pairs<T: Real, K: Kernel, const D: usize>(
+    cells: &Cells<T, D>,
+    group: Range<usize>,
+    masses: Option<&[T]>,
+    scratch: &mut Scratch<T, D>,
+) {
+    T::dispatch(cells.level, Pairs { cells, group, masses, scratch, kernel: PhantomData::<K> });
 }
 
 /// Sums at ranges of places.
