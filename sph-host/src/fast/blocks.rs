@@ -56,7 +56,7 @@ pub(super) fn candidates<T: Real, const D: usize>(
         let size = last.saturating_sub(first);
         let needed = size.div_ceil(BLOCK as u32) as usize;
         reserve(blocks, end + needed + AT_ONCE);
-        split(first, size, &mut blocks[end..]);
+        split(first, size, needed, &mut blocks[end..]);
         end += needed;
     }
     end
@@ -65,21 +65,18 @@ pub(super) fn candidates<T: Real, const D: usize>(
 /// So many blocks are written at once, whether there are as many or not: how many there are cannot be foreseen.
 const AT_ONCE: usize = 4;
 
-/// Splits consecutive particles into blocks.
+/// Splits consecutive particles into blocks, of which as many are `needed`.
 #[inline(always)]
-fn split(first: u32, size: u32, out: &mut [Block]) {
-    let mut done = 0;
-    for out in out.as_chunks_mut::<AT_ONCE>().0 {
+fn split(first: u32, size: u32, needed: usize, out: &mut [Block]) {
+    let mut next = first;
+    for out in out.as_chunks_mut::<AT_ONCE>().0.iter_mut().take(needed.div_ceil(AT_ONCE).max(1)) {
         for (k, out) in out.iter_mut().enumerate() {
-            let before = done + (k * BLOCK) as u32;
-            let rest = (size - size.min(before)).min(BLOCK as u32);
-            *out = Block { first: first.wrapping_add(before), mask: (1 << rest) - 1 };
+            *out = Block { first: next.wrapping_add((k * BLOCK) as u32), mask: 0xffff };
         }
-        done += (AT_ONCE * BLOCK) as u32;
-        if done >= size {
-            break;
-        }
+        next = next.wrapping_add((AT_ONCE * BLOCK) as u32);
     }
+    let missing = (needed * BLOCK) as u32 - size;
+    out[needed.max(1) - 1].mask = 0xffff >> missing;
 }
 
 /// r² of sixteen particles, summed axis by axis; `distances` has the axis and the coordinates.
