@@ -18,7 +18,7 @@ const CHUNK: usize = 4096;
 
 impl<T: Real, const D: usize> Cells<T, D> {
     /// ρ_i at every particle, itself included, in the order of the input. Masses are a slice, or one
-    /// [`Uniform`](sph_core::Uniform) value.
+    /// [`Uniform`](sph_core::Uniform) value; one that is not finite spoils the densities around it.
     ///
     /// # Errors
     /// [`Error::LengthMismatch`] unless there is a mass for each particle; those of [`KernelInfluence::new`].
