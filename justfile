@@ -29,8 +29,6 @@ targets:
 bench side="100" threads="1" level="best":
     cargo run --release -p sph-host --example bench -- {{side}} {{threads}} {{level}}
 
-# Instructions a particle of the fast path with AVX2 (valgrind knows no AVX-512): a silent fall-back shows
-count:
-    cargo build --release -p sph-host --example bench
-    valgrind --tool=callgrind --callgrind-out-file=target/callgrind.out target/release/examples/bench 24 1 avx2
-    callgrind_annotate target/callgrind.out | head -30
+# Instructions a particle of the fast path with AVX2, which valgrind knows, against a table: fails where they grow; --update
+count *update:
+    cargo run --release -p sph-host --example count -- {{update}}

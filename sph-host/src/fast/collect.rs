@@ -1,47 +1,20 @@
 //! The particles in reach of a point, moved together: sixteen candidates at a time.
 
-use super::cells::{MOST_RUNS, Run};
+use super::blocks::{Block, candidates, reserve, sixteen, sixteen_mut, squares};
+use super::lanes::Lanes;
 use super::set::Cells;
 use super::simd::{BLOCK, Isa, Job, Real};
 use super::sort::Sorted;
 
-/// What was found about one point. The lists are longer than what was found: the rest is left over.
+/// What was found about some points. The lists are longer than what was found: the rest is left over.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Found<T> {
-    /// r², below h².
+    /// r², below h², and beyond any support between.
     pub(super) squares: Vec<T>,
-    /// The particles' places in the order of the cells, where they were asked for.
-    pub(super) places: Vec<u32>,
-}
-
-impl<T: Real> Found<T> {
-    /// Room for so many.
-    #[inline(always)]
-    fn reserve<const SQUARES: bool, const PLACES: bool>(&mut self, room: usize) {
-        if (SQUARES && self.squares.len() < room) || (PLACES && self.places.len() < room) {
-            self.grow::<SQUARES, PLACES>(2 * room);
-        }
-    }
-
-    #[cold]
-    fn grow<const SQUARES: bool, const PLACES: bool>(&mut self, room: usize) {
-        if SQUARES {
-            self.squares.resize(room, T::ZERO);
-        }
-        if PLACES {
-            self.places.resize(room, 0);
-        }
-    }
-
-    /// Fills the lists up to a whole block with numbers beyond any support; returns where they end then.
-    #[inline(always)]
-    fn pad(&mut self, end: usize) -> usize {
-        self.reserve::<true, true>(end + BLOCK);
-        if let Some(rest) = self.squares[end..].first_chunk_mut::<BLOCK>() {
-            *rest = [T::MAX; BLOCK];
-        }
-        end.next_multiple_of(BLOCK)
-    }
+    /// Where they came from.
+    pub(super) blocks: Vec<Block>,
+    /// One for each point.
+    pub(super) spans: Vec<Span>,
 }
 
 /// The part of the lists that is about one point: whole blocks, of which `count` numbers are particles.
@@ -49,114 +22,117 @@ impl<T: Real> Found<T> {
 pub(super) struct Span {
     pub(super) start: usize,
     pub(super) count: usize,
+    /// How many blocks of candidates there were.
+    blocks: usize,
 }
 
 impl Span {
-    /// The places of its particles in the lists.
-    #[inline(always)]
-    pub(super) fn particles(self) -> std::ops::Range<usize> {
-        self.start..self.start + self.count
-    }
-
-    /// The same with what fills up the last block.
+    /// The places of its particles in the lists, with what fills up the last block.
     #[inline(always)]
     pub(super) fn padded(self) -> std::ops::Range<usize> {
         self.start..self.start + self.count.next_multiple_of(BLOCK)
     }
+
+    /// Their numbers in a list.
+    #[inline(always)]
+    pub(super) fn blocks_of<T>(self, list: &[T]) -> &[[T; BLOCK]] {
+        list[self.padded()].as_chunks().0
+    }
 }
 
-/// Finds what is in reach of some consecutive points of a sorted set, squares and places.
+/// Finds what is in reach of some consecutive points of a sorted set.
 pub(super) struct Collect<'a, T, const D: usize> {
     pub(super) cells: &'a Cells<T, D>,
     pub(super) own_limits: Option<&'a [T]>,
     pub(super) points: &'a Sorted<T, D>,
     pub(super) range: std::ops::Range<usize>,
-    pub(super) places: bool,
     pub(super) found: &'a mut Found<T>,
-    /// Overwritten: one for each point.
-    pub(super) spans: &'a mut Vec<Span>,
 }
 
 impl<T: Real, const D: usize> Job<T> for Collect<'_, T, D> {
-    /// How long the lists are.
+    /// How long the list of squares is.
     type Output = usize;
 
     #[inline(always)]
-    fn run<I: Isa<T>, const N: usize>(self, isa: I) -> usize {
-        if self.places { self.all::<I, true>(isa) } else { self.all::<I, false>(isa) }
-    }
-}
-
-impl<T: Real, const D: usize> Collect<'_, T, D> {
-    #[inline(always)]
-    fn all<I: Isa<T>, const PLACES: bool>(self, isa: I) -> usize {
-        self.spans.clear();
-        let mut start = 0;
+    fn run<I: Isa<T>>(self, isa: I) -> usize {
+        let Found { squares, blocks, spans } = self.found;
+        spans.clear();
+        let (mut start, mut first) = (0, 0);
         for place in self.range {
             let x = self.points.position(place);
-            let end =
-                collect::<T, D, I, true, PLACES>(isa, self.cells, self.own_limits, &x, self.found, start);
-            self.spans.push(Span { start, count: end - start });
-            start = self.found.pad(end);
+            let last = candidates(self.cells, &x, &x, 0, blocks, first);
+            reserve(squares, start + (last - first + 1) * BLOCK);
+            let blocks = &mut blocks[first..last];
+            let end = near(isa, self.cells, self.own_limits, &x, blocks, squares, start);
+            spans.push(Span { start, count: end - start, blocks: last - first });
+            *sixteen_mut(squares, end) = [T::MAX; BLOCK];
+            (start, first) = (end.next_multiple_of(BLOCK), last);
         }
         start
     }
 }
 
-/// Finds the particles with r² < h² about x, in the order of the cells, and lists them after the first `end` of what was
-/// found before; returns how many are listed then. h is the cells' own, or each particle's where `own_limits` has their
-/// squares.
+/// Leaves of the candidates those with r² < h² about x, and lists their squares after the first `end`; returns where these end
+/// then. h is the cells' own, or each particle's where `own_limits` has their squares.
 #[inline(always)]
-pub(super) fn collect<T: Real, const D: usize, I: Isa<T>, const SQUARES: bool, const PLACES: bool>(
+fn near<T: Real, const D: usize, I: Isa<T>>(
     isa: I,
     cells: &Cells<T, D>,
     own_limits: Option<&[T]>,
     x: &[T; D],
-    found: &mut Found<T>,
+    blocks: &mut [Block],
+    out: &mut [T],
     mut end: usize,
 ) -> usize {
-    let mut runs = [Run::default(); MOST_RUNS];
-    let count = cells.layout.runs(&x.map(|c| c.to_f64()), &mut runs);
     let limit = [cells.radius * cells.radius; BLOCK];
-    for run in &runs[..count] {
-        let (first, last) = cells.sorted.range(run);
-        let size = last - first;
-        found.reserve::<SQUARES, PLACES>(end + size + BLOCK);
-        let padded = first..first + size.next_multiple_of(BLOCK);
-        let axes: [&[[T; BLOCK]]; D] = std::array::from_fn(
-            #[inline(always)]
-            |axis| cells.sorted.coordinates[axis][padded.clone()].as_chunks().0,
-        );
-        let own_limits = own_limits.map(|limits| limits[padded].as_chunks::<BLOCK>().0);
-        let mut rest = size;
-        for block in 0..size.div_ceil(BLOCK) {
-            let squares = squares(&axes, block, x);
-            let limit = own_limits.map_or(&limit, |limits| &limits[block]);
-            let real = if rest < BLOCK { (1 << rest) - 1 } else { 0xffff };
-            rest = rest.wrapping_sub(BLOCK);
-            let mask = isa.below(&squares, limit) & real;
-            if SQUARES && let Some(out) = found.squares[end..].first_chunk_mut() {
-                isa.pack(mask, &squares, out);
-            }
-            if PLACES && let Some(out) = found.places[end..].first_chunk_mut() {
-                isa.pack_index(mask, (first + block * BLOCK) as u32, out);
-            }
-            end += mask.count_ones() as usize;
-        }
+    let axes = cells.sorted.padded();
+    for block in blocks {
+        let first = block.first as usize;
+        let squares = squares(&axes, first, |axis, y| Lanes::splat(x[axis]) - y);
+        let limit = own_limits.map_or(&limit, |limits| sixteen(limits, first));
+        block.mask &= isa.below(&squares.0, limit);
+        isa.pack(block.mask, &squares.0, sixteen_mut(out, end));
+        end += block.mask.count_ones() as usize;
     }
     end
 }
 
-/// r² of sixteen particles, summed axis by axis.
-#[inline(always)]
-fn squares<T: Real, const D: usize>(axes: &[&[[T; BLOCK]]; D], block: usize, x: &[T; D]) -> [T; BLOCK] {
-    let mut sum = [T::ZERO; BLOCK];
-    for axis in 0..D {
-        let coordinates = &axes[axis][block];
-        for k in 0..BLOCK {
-            let d = x[axis] - coordinates[k];
-            sum[k] = if axis == 0 { d * d } else { sum[k] + d * d };
+/// Moves C numbers of each particle found together, and puts zeros between.
+pub(super) struct Pick<'a, T, const C: usize> {
+    pub(super) found: &'a Found<T>,
+    /// One for each particle, and a block more.
+    pub(super) columns: [&'a [T]; C],
+    pub(super) out: [&'a mut Vec<T>; C],
+}
+
+impl<T: Real, const C: usize> Job<T> for Pick<'_, T, C> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<I: Isa<T>>(self, isa: I) {
+        let Self { found, columns, out } = self;
+        // all of one length: then one check of a place is enough
+        let columns = columns.map(|column| &column[..columns[0].len()]);
+        let room = found.squares.len();
+        let mut out = out.map(|out| {
+            reserve(out, room);
+            &mut out[..room]
+        });
+        let mut blocks = &found.blocks[..];
+        for span in &found.spans {
+            let (own, rest) = blocks.split_at(span.blocks);
+            blocks = rest;
+            let mut end = span.start;
+            for block in own {
+                for column in 0..C {
+                    let values = sixteen(columns[column], block.first as usize);
+                    isa.pack(block.mask, values, sixteen_mut(out[column], end));
+                }
+                end += block.mask.count_ones() as usize;
+            }
+            for out in &mut out {
+                *sixteen_mut(out, end) = [T::ZERO; BLOCK];
+            }
         }
     }
-    sum
 }

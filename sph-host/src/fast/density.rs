@@ -3,23 +3,22 @@
 use std::marker::PhantomData;
 use std::ops::Range;
 
-use rayon::prelude::*;
 use sph_core::kernel::Kernel;
 use sph_core::{Error, KernelInfluence, Parameter, PerSample};
 
-use super::collect::{Collect, Found, Span};
-use super::evaluate::SumProfiles;
+use super::around::Around;
+use super::cells::Run;
+use super::pairs::{Gather, Pairs, Scratch};
 use super::set::{Cells, check_length};
 use super::simd::Real;
+use crate::parallel;
 
 /// Particles that a thread takes at a time.
-const CHUNK: usize = 2048;
-/// Particles whose neighbours are gathered before they are summed over: what is gathered fits the first cache.
-const GROUP: usize = 64;
+const CHUNK: usize = 4096;
 
 impl<T: Real, const D: usize> Cells<T, D> {
     /// ρ_i at every particle, itself included, in the order of the input. Masses are a slice, or one
-    /// [`Uniform`](sph_core::Uniform) value.
+    /// [`Uniform`](sph_core::Uniform) value; one that is not finite spoils the densities around it.
     ///
     /// # Errors
     /// [`Error::LengthMismatch`] unless there is a mass for each particle; those of [`KernelInfluence::new`].
@@ -37,70 +36,114 @@ impl<T: Real, const D: usize> Cells<T, D> {
         if let Some(count) = masses.count() {
             check_length(count, self.len(), Parameter::Mass)?;
             let own = self.sorted.order.iter().map(|&j| masses.get(j as usize).unwrap_or(T::ZERO)).collect();
-            return Ok(self.densities::<K>(w.normalisation(), Some(own)));
+            return Ok(self.densities(add_pairs::<T, K, D>, w.normalisation(), Some(own)));
         }
         let mass = masses.get(0).unwrap_or(T::ZERO);
-        Ok(self.densities::<K>(w.normalisation() * mass, None))
+        Ok(self.densities(add_pairs::<T, K, D>, w.normalisation() * mass, None))
     }
 
     /// constant · Σ m_j f, m_j = 1 where there are no masses.
-    fn densities<K: Kernel>(&self, constant: T, masses: Option<Vec<T>>) -> Vec<T> {
-        let mut sorted = vec![T::ZERO; self.len()];
-        let work = sorted.par_chunks_mut(CHUNK).enumerate();
-        work.for_each_init(Scratch::default, |scratch, (chunk, out)| {
-            for (group, out) in out.chunks_mut(GROUP).enumerate() {
-                let first = chunk * CHUNK + group * GROUP;
-                self.group::<K>(first..first + out.len(), constant, masses.as_deref(), out, scratch);
-            }
+    fn densities(&self, pairs: AddPairs<T, D>, constant: T, masses: Option<Vec<T>>) -> Vec<T> {
+        let chunks = (0..self.len()).step_by(CHUNK);
+        let windows = parallel::map(chunks, |_, first| {
+            let particles = first..self.len().min(first + CHUNK);
+            self.window(pairs, particles, masses.as_deref())
         });
+        let mut sorted = vec![T::ZERO; self.len()];
+        windows.iter().for_each(|window| window.add_to(&mut sorted));
         let mut density = vec![T::ZERO; self.len()];
-        for (&index, &value) in self.sorted.order.iter().zip(&sorted) {
-            density[index as usize] = value;
+        for (&index, &sum) in self.sorted.order.iter().zip(&sorted) {
+            density[index as usize] = sum * constant;
         }
         density
     }
 
-    /// The densities of some consecutive particles.
-    fn group<K: Kernel>(
-        &self,
-        range: Range<usize>,
-        constant: T,
-        masses: Option<&[T]>,
-        out: &mut [T],
-        Scratch { found, spans, picked }: &mut Scratch<T>,
-    ) {
-        let (points, places) = (&self.sorted, masses.is_some());
-        let search = Collect { cells: self, own_limits: None, points, range, places, found, spans };
-        let end = T::dispatch(self.level, search);
-        if let Some(masses) = masses {
-            picked.clear();
-            picked.resize(end, T::ZERO);
-            for span in spans.iter() {
-                for (out, &place) in picked[span.particles()].iter_mut().zip(&found.places[span.particles()])
-                {
-                    *out = masses[place as usize];
-                }
-            }
+    /// What pairs with some consecutive particles contribute to them and to those that come later.
+    fn window(&self, pairs: AddPairs<T, D>, particles: Range<usize>, masses: Option<&[T]>) -> Window<T> {
+        let mut window = Window::new(self.later(&particles));
+        let mut scratch = Scratch::default();
+        let mut rest = particles;
+        while !rest.is_empty() {
+            let group = Around::group(self, &rest);
+            let around = &mut scratch.around;
+            T::dispatch(self.level, Gather { cells: self, group: group.clone(), around });
+            pairs(self, group.clone(), masses, &mut scratch);
+            window.add(scratch.around.places(), &scratch.sums);
+            rest.start = group.end;
         }
-        let inverse = T::ONE / self.radius;
-        let sums = SumProfiles {
-            squares: &found.squares,
-            inverse_square: inverse * inverse,
-            coefficients: masses.map(|_| &picked[..]),
-            spans,
-            constant,
-            out,
-            kernel: PhantomData::<K>,
-            line: D == 1,
+        window
+    }
+
+    /// The places, not before some consecutive particles, that are in reach of them: ranges in order, which do not overlap.
+    fn later(&self, particles: &Range<usize>) -> Vec<Range<usize>> {
+        let row = |place: usize| self.layout.row(&self.sorted.position(place));
+        let (first, last) = (row(particles.start), row(particles.end - 1));
+        let cells: Vec<Run> = if first == last {
+            let (lower, upper) = self.corners(particles.clone());
+            let (mut lower, mut upper) = (lower.map(|c| c.to_f64()), upper.map(|c| c.to_f64()));
+            // a little wider, lest another rounding make it narrower than what a group of these reaches
+            let margin = 1e-3 * self.radius.to_f64();
+            (lower[0], upper[0]) = (lower[0] - margin, upper[0] + margin);
+            self.layout.runs(&lower, &upper).to_vec()
+        } else {
+            self.layout.later_rows(first, last).to_vec()
         };
-        T::dispatch(self.level, sums);
+        let ranges = cells.iter().map(|run| self.sorted.range(run));
+        ranges
+            .map(|(first, last)| particles.start.max(first as usize)..last as usize)
+            .filter(|range| !range.is_empty())
+            .collect()
     }
 }
 
-/// Memory that is used again.
-#[derive(Default)]
-struct Scratch<T> {
-    found: Found<T>,
-    spans: Vec<Span>,
-    picked: Vec<T>,
+/// Runs [`Pairs`] with some kernel: the one function here that is compiled for each.
+type AddPairs<T, const D: usize> = fn(&Cells<T, D>, Range<usize>, Option<&[T]>, &mut Scratch<T, D>);
+
+fn add_pairs<T: Real, K: Kernel, const D: usize>(
+    cells: &Cells<T, D>,
+    group: Range<usize>,
+    masses: Option<&[T]>,
+    scratch: &mut Scratch<T, D>,
+) {
+    T::dispatch(cells.level, Pairs { cells, group, masses, scratch, kernel: PhantomData::<K> });
+}
+
+/// Sums at ranges of places.
+struct Window<T> {
+    ranges: Vec<Range<usize>>,
+    /// Range by range.
+    sums: Vec<T>,
+}
+
+impl<T: Real> Window<T> {
+    fn new(ranges: Vec<Range<usize>>) -> Self {
+        let length = ranges.iter().map(ExactSizeIterator::len).sum();
+        Self { ranges, sums: vec![T::ZERO; length] }
+    }
+
+    /// Adds numbers at ascending places.
+    #[inline]
+    fn add(&mut self, places: &[u32], numbers: &[T]) {
+        let mut ranges = self.ranges.iter();
+        let (mut end, mut shift, mut length) = (0, 0, 0);
+        for (&place, &number) in places.iter().zip(numbers) {
+            while place as usize >= end
+                && let Some(range) = ranges.next()
+            {
+                (end, shift) = (range.end, range.start - length);
+                length += range.len();
+            }
+            self.sums[place as usize - shift] += number;
+        }
+    }
+
+    /// Adds all sums where they belong.
+    fn add_to(&self, sorted: &mut [T]) {
+        let mut sums = &self.sums[..];
+        for range in &self.ranges {
+            let (own, rest) = sums.split_at(range.len());
+            sorted[range.clone()].iter_mut().zip(own).for_each(|(sum, &more)| *sum += more);
+            sums = rest;
+        }
+    }
 }

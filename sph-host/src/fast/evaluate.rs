@@ -1,152 +1,84 @@
-//! Kernels on what was found about a point, as many numbers at once as a vector has.
+//! Kernels, number by number in loops that the compiler turns into vectors.
 
 use std::marker::PhantomData;
 
 use sph_core::Arithmetic;
 use sph_core::kernel::Kernel;
 
-use super::collect::Span;
-use super::lanes::Lanes;
 use super::simd::{BLOCK, Isa, Job, Real};
 
-/// f(q) for s = q², held at 1; LINE: the form for one dimension.
+/// q = √s, held at 1, beyond which every kernel is zero.
 #[inline(always)]
-pub(super) fn profile<T: Real, K: Kernel, const LINE: bool, const N: usize>(s: Lanes<T, N>) -> Lanes<T, N> {
-    let q = s.min(Lanes::ONE).root();
-    if LINE { K::profile_in_1d(q) } else { K::profile(q) }
+fn root<T: Real>(s: T) -> T {
+    (if s < T::ONE { s } else { T::ONE }).root()
 }
 
-/// f(q) and f′(q) / q; what the latter is at q = 0 matters to nobody, since it is multiplied with x = 0.
+/// f(q) in D dimensions.
 #[inline(always)]
-pub(super) fn profile_and_slope<T: Real, K: Kernel, const LINE: bool, const N: usize>(
-    s: Lanes<T, N>,
-) -> (Lanes<T, N>, Lanes<T, N>) {
-    let q = s.min(Lanes::ONE).root();
-    let divisor = q.max(Lanes::splat(T::SMALL));
-    if LINE {
-        (K::profile_in_1d(q), K::slope_in_1d(q) / divisor)
-    } else {
-        (K::profile(q), K::slope(q) / divisor)
-    }
+pub(super) fn profile<T: Arithmetic, K: Kernel, const D: usize>(q: T) -> T {
+    if D == 1 { K::profile_in_1d(q) } else { K::profile(q) }
 }
 
-/// Σ c f(q) over each span.
-pub(super) struct SumProfiles<'a, T, K> {
+/// f′(q) / q in D dimensions; what that is at q = 0 matters to nobody, since it is multiplied with x = 0.
+#[inline(always)]
+fn slope<T: Real, K: Kernel, const D: usize>(q: T) -> T {
+    let slope = if D == 1 { K::slope_in_1d(q) } else { K::slope(q) };
+    slope / if q > T::SMALL { q } else { T::SMALL }
+}
+
+/// f(q) and f′(q) / q for many particles.
+pub(super) struct Evaluate<'a, T, K, const D: usize> {
     /// r²
     pub(super) squares: &'a [T],
-    pub(super) inverse_square: T,
-    /// c, where these are not all 1.
-    pub(super) coefficients: Option<&'a [T]>,
-    pub(super) spans: &'a [Span],
-    pub(super) constant: T,
-    pub(super) out: &'a mut [T],
-    pub(super) kernel: PhantomData<K>,
-    pub(super) line: bool,
-}
-
-impl<T: Real, K: Kernel> Job<T> for SumProfiles<'_, T, K> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<I: Isa<T>, const N: usize>(self, _: I) {
-        if self.line { self.all::<true, N>() } else { self.all::<false, N>() }
-    }
-}
-
-impl<T: Real, K: Kernel> SumProfiles<'_, T, K> {
-    #[inline(always)]
-    fn all<const LINE: bool, const N: usize>(self) {
-        let inverse_square = Lanes::<T, N>::splat(self.inverse_square);
-        for (out, span) in self.out.iter_mut().zip(self.spans) {
-            let squares = self.squares[span.padded()].as_chunks::<BLOCK>().0;
-            let coefficients = self.coefficients.map(|all| all[span.padded()].as_chunks::<BLOCK>().0);
-            let mut columns = Columns::<T, N>::ZERO;
-            for (block, squares) in squares.iter().enumerate() {
-                for group in 0..BLOCK / N {
-                    let f = profile::<T, K, LINE, N>(Lanes::of(squares, group) * inverse_square);
-                    columns.add(group, coefficients.map_or(f, |all| Lanes::of(&all[block], group) * f));
-                }
-            }
-            *out = columns.total() * self.constant;
-        }
-    }
-}
-
-/// f(q) and f′(q) / q, block by block.
-pub(super) struct Evaluate<'a, T, K> {
-    /// r² / h², replaced by f(q).
-    pub(super) squares: &'a mut [T],
-    /// f′(q) / q; empty where gradients are not wanted.
+    /// 1 / h
+    pub(super) inverse: T,
+    /// 1 / h_j, where each has its own.
+    pub(super) inverses: Option<&'a [T]>,
+    /// Overwritten: f(q).
+    pub(super) profiles: &'a mut [T],
+    /// Overwritten: f′(q) / q; empty where gradients are not wanted.
     pub(super) slopes: &'a mut [T],
     pub(super) kernel: PhantomData<K>,
-    pub(super) line: bool,
 }
 
-impl<T: Real, K: Kernel> Job<T> for Evaluate<'_, T, K> {
+impl<T: Real, K: Kernel, const D: usize> Job<T> for Evaluate<'_, T, K, D> {
     type Output = ();
 
     #[inline(always)]
-    fn run<I: Isa<T>, const N: usize>(self, _: I) {
-        if self.line { self.all::<true, N>() } else { self.all::<false, N>() }
-    }
-}
-
-impl<T: Real, K: Kernel> Evaluate<'_, T, K> {
-    #[inline(always)]
-    fn all<const LINE: bool, const N: usize>(self) {
-        let squares = self.squares.as_chunks_mut::<BLOCK>().0;
-        if self.slopes.is_empty() {
-            for values in squares {
-                for group in 0..BLOCK / N {
-                    profile::<T, K, LINE, N>(Lanes::of(values, group)).put(values, group);
-                }
-            }
-            return;
+    fn run<I: Isa<T>>(self, _: I) {
+        let uniform = self.inverse * self.inverse;
+        let squares = self.squares.iter().zip(self.profiles.iter_mut());
+        match self.inverses {
+            None => squares.for_each(
+                #[inline(always)]
+                |(&square, q)| *q = root(square * uniform),
+            ),
+            Some(inverses) => squares.zip(inverses).for_each(
+                #[inline(always)]
+                |((&square, q), &inverse)| *q = root(square * (inverse * inverse)),
+            ),
         }
-        for (values, slopes) in squares.iter_mut().zip(self.slopes.as_chunks_mut::<BLOCK>().0) {
-            for group in 0..BLOCK / N {
-                let (f, slope) = profile_and_slope::<T, K, LINE, N>(Lanes::of(values, group));
-                f.put(values, group);
-                slope.put(slopes, group);
-            }
+        for (&q, out) in self.profiles.iter().zip(self.slopes) {
+            *out = slope::<T, K, D>(q);
+        }
+        for q in self.profiles {
+            *q = profile::<T, K, D>(*q);
         }
     }
 }
 
-/// Sixteen running sums, whatever the width of a vector, so that every instruction set gives the same bits.
-#[derive(Clone, Copy)]
-pub(super) struct Columns<T, const N: usize>([Lanes<T, N>; BLOCK]);
-
-impl<T: Real, const N: usize> Columns<T, N> {
-    /// Sixteen times 0.
-    pub(super) const ZERO: Self = Self([Lanes::ZERO; BLOCK]);
-
-    /// Adds to the columns of a group of N.
-    #[inline(always)]
-    pub(super) fn add(&mut self, group: usize, terms: Lanes<T, N>) {
-        self.0[group] += terms;
-    }
-
-    /// The sum of the columns.
-    #[inline(always)]
-    pub(super) fn total(self) -> T {
-        total(&std::array::from_fn(
-            #[inline(always)]
-            |k| self.0[k / N].0[k % N],
-        ))
-    }
-}
-
-/// The sum, halves first. Not inlined: a sum within sight lets the compiler narrow the vectors that lead to it.
+/// The sum of each sixteen columns, halves first, whatever the width of a vector, so that every instruction set gives the same
+/// bits. Not inlined: a sum within sight lets the compiler narrow the vectors that lead to it.
 #[inline(never)]
-fn total<T: Real>(columns: &[T; BLOCK]) -> T {
-    let mut columns = *columns;
-    let mut half = BLOCK / 2;
-    while half > 0 {
-        for k in 0..half {
-            columns[k] += columns[k + half];
+pub(super) fn totals<T: Real, const M: usize>(columns: &[[T; BLOCK]; M]) -> [T; M] {
+    columns.map(|mut columns| {
+        let mut half = BLOCK / 2;
+        while half > 0 {
+            for k in 0..half {
+                columns[k] += columns[k + half];
+            }
+            half /= 2;
         }
-        half /= 2;
-    }
-    columns[0]
+        columns[0]
+    })
 }

@@ -15,7 +15,7 @@ use super::sums::{Group, Scratch};
 /// Points that a thread takes at a time.
 const CHUNK: usize = 1024;
 /// Points that go through each step of the sums together.
-const GROUP: usize = 32;
+const GROUP: usize = 16;
 
 /// Coefficients c_j of particles in [`Cells`] or [`Levels`](super::Levels), ready to be summed anywhere.
 #[derive(Clone, Debug)]
@@ -30,8 +30,8 @@ pub(super) struct Part<'a, T, const D: usize> {
     pub(super) cells: &'a Cells<T, D>,
     /// h_j and σ_D h_j^{-D}, where each particle has its own.
     pub(super) own: Option<&'a Own<T>>,
-    /// All coefficients of a particle, then those of the next, in the order of the cells.
-    pub(super) coefficients: Vec<T>,
+    /// Field by field, in the order of the cells, and after the last particle a block of zeros.
+    pub(super) coefficients: Vec<Vec<T>>,
 }
 
 /// Sums at points.
@@ -73,15 +73,8 @@ impl<T: Real, const D: usize> Cells<T, D> {
 impl<'a, T: Real, const D: usize> Part<'a, T, D> {
     /// Sorts the coefficients; there is one for each index of the cells.
     pub(super) fn new(cells: &'a Cells<T, D>, own: Option<&'a Own<T>>, coefficients: &[&[T]]) -> Self {
-        let order = &cells.sorted.order;
-        let mut sorted = vec![T::ZERO; order.len() * coefficients.len()];
-        if !coefficients.is_empty() {
-            let rows = sorted.par_chunks_exact_mut(coefficients.len()).zip(order);
-            rows.with_min_len(CHUNK).for_each(|(row, &j)| {
-                row.iter_mut().zip(coefficients).for_each(|(out, slice)| *out = slice[j as usize]);
-            });
-        }
-        Self { cells, own, coefficients: sorted }
+        let coefficients = coefficients.iter().map(|slice| cells.sorted.column(|j| slice[j])).collect();
+        Self { cells, own, coefficients }
     }
 
     /// What all sums are multiplied with: σ_D h^{-D}, or σ_D where each particle has its own h.
@@ -113,14 +106,14 @@ impl<T: Real, const D: usize> Fields<'_, T, D> {
         let mut values = vec![T::ZERO; row.max(1) * points.order.len()];
         let mut reached = vec![0; points.order.len()];
         let work = values.par_chunks_mut(row.max(1) * CHUNK).zip(reached.par_chunks_mut(CHUNK)).enumerate();
-        let (width, points) = (self.width, &points);
+        let points = &points;
         work.for_each_init(Scratch::default, |scratch, (chunk, (values, reached))| {
             let groups = values.chunks_mut(row.max(1) * GROUP).zip(reached.chunks_mut(GROUP));
             for (group, (values, reached)) in groups.enumerate() {
                 let first = chunk * CHUNK + group * GROUP;
                 let range = first..first + reached.len();
                 for (part, &constant) in self.parts.iter().zip(&constants) {
-                    let group = Group { part, constant, points, range: range.clone(), width, gradient };
+                    let group = Group { part, constant, points, range: range.clone(), gradient };
                     group.add::<K>(values, reached, scratch);
                 }
             }

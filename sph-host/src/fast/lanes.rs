@@ -1,4 +1,4 @@
-//! N numbers at once: the type that sph-core's kernels are evaluated on here.
+//! Sixteen numbers at once: the type that sph-core's kernels are evaluated on here.
 
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
@@ -6,31 +6,16 @@ use sph_core::Arithmetic;
 
 use super::simd::{BLOCK, Real};
 
-/// N numbers, on each of which every operation works.
+/// Sixteen numbers, on each of which every operation works.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(align(64))]
-pub(super) struct Lanes<T, const N: usize>(pub(super) [T; N]);
+pub(super) struct Lanes<T>(pub(super) [T; BLOCK]);
 
-impl<T: Real, const N: usize> Lanes<T, N> {
-    /// The same number N times.
+impl<T: Real> Lanes<T> {
+    /// The same number sixteen times.
     #[inline(always)]
     pub(super) fn splat(value: T) -> Self {
-        Self([value; N])
-    }
-
-    /// The numbers of one group of N.
-    #[inline(always)]
-    pub(super) fn of(values: &[T; BLOCK], group: usize) -> Self {
-        Self(std::array::from_fn(
-            #[inline(always)]
-            |k| values[group * N + k],
-        ))
-    }
-
-    /// Puts them where [`of`](Self::of) takes them from.
-    #[inline(always)]
-    pub(super) fn put(self, values: &mut [T; BLOCK], group: usize) {
-        values[group * N..(group + 1) * N].copy_from_slice(&self.0);
+        Self([value; BLOCK])
     }
 
     /// The root of each.
@@ -81,7 +66,7 @@ impl<T: Real, const N: usize> Lanes<T, N> {
 
 macro_rules! operator {
     ($Operator:ident $method:ident, $operator:tt) => {
-        impl<T: Real, const N: usize> $Operator for Lanes<T, N> {
+        impl<T: Real> $Operator for Lanes<T> {
             type Output = Self;
 
             #[inline(always)]
@@ -101,7 +86,7 @@ operator!(Sub sub, -);
 operator!(Mul mul, *);
 operator!(Div div, /);
 
-impl<T: Real, const N: usize> Neg for Lanes<T, N> {
+impl<T: Real> Neg for Lanes<T> {
     type Output = Self;
 
     #[inline(always)]
@@ -113,23 +98,23 @@ impl<T: Real, const N: usize> Neg for Lanes<T, N> {
     }
 }
 
-impl<T: Real, const N: usize> AddAssign for Lanes<T, N> {
+impl<T: Real> AddAssign for Lanes<T> {
     #[inline(always)]
     fn add_assign(&mut self, other: Self) {
         *self = *self + other;
     }
 }
 
-impl<T: Real, const N: usize> SubAssign for Lanes<T, N> {
+impl<T: Real> SubAssign for Lanes<T> {
     #[inline(always)]
     fn sub_assign(&mut self, other: Self) {
         *self = *self - other;
     }
 }
 
-impl<T: Real, const N: usize> Arithmetic for Lanes<T, N> {
-    const ZERO: Self = Self([T::ZERO; N]);
-    const ONE: Self = Self([T::ONE; N]);
+impl<T: Real> Arithmetic for Lanes<T> {
+    const ZERO: Self = Self([T::ZERO; BLOCK]);
+    const ONE: Self = Self([T::ONE; BLOCK]);
 
     #[inline(always)]
     fn ratio(numerator: i32, denominator: i32) -> Self {

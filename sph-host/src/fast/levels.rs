@@ -5,7 +5,7 @@ use sph_core::{Error, Parameter};
 
 use super::fields::{Fields, Part};
 use super::set::{Cells, check_length, check_radius};
-use super::simd::{BLOCK, Level, Real};
+use super::simd::{Level, Real};
 
 /// Particles sorted by the octave of their support radius, and within each octave into [`Cells`]: a point looks at cells that
 /// suit the radii in them, however widely these differ.
@@ -24,10 +24,11 @@ pub struct Levels<T, const D: usize> {
     len: usize,
 }
 
-/// What each particle of some cells has instead of one h for all, in the order of the cells.
+/// What each particle of some cells has instead of one h for all, in the order of the cells,
+/// and after the last a block of zeros.
 #[derive(Clone, Debug)]
 pub(super) struct Own<T> {
-    /// h_j², and after the last a block of zeros.
+    /// h_j²
     pub(super) squares: Vec<T>,
     /// 1 / h_j
     pub(super) inverses: Vec<T>,
@@ -103,8 +104,7 @@ fn part<T: Real, const D: usize>(
     });
     let mut cells = Cells::sort(&chosen, most)?;
     cells.sorted.order.iter_mut().for_each(|index| *index = indices[*index as usize]);
-    let mut squares: Vec<T> = cells.sorted.order.iter().map(|j| of(j) * of(j)).collect();
-    squares.resize(squares.len() + BLOCK, T::ZERO);
-    let inverses = cells.sorted.order.iter().map(|j| T::ONE / of(j)).collect();
+    let squares = cells.sorted.column(|j| radii[j] * radii[j]);
+    let inverses = cells.sorted.column(|j| T::ONE / radii[j]);
     Ok((cells, Own { squares, inverses, least }))
 }

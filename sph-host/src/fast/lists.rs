@@ -1,10 +1,14 @@
 //! Who is in reach of whom.
 
+use std::ops::Range;
+
 use rayon::prelude::*;
 
-use super::collect::{Found, collect};
+use super::around::Around;
+use super::blocks::{reserve, sixteen_mut, squares};
+use super::lanes::Lanes;
 use super::set::Cells;
-use super::simd::{Isa, Job, Real};
+use super::simd::{BLOCK, Isa, Job, Real};
 
 /// Particles whose lists are in one piece of memory.
 const CHUNK: usize = 2048;
@@ -66,10 +70,10 @@ impl<T: Real, const D: usize> Cells<T, D> {
     /// Lists the neighbours of every particle, in memory that is used again.
     pub fn neighbour_lists(&self, lists: &mut NeighbourLists) {
         lists.chunks.resize_with(self.len().div_ceil(CHUNK), Chunk::default);
-        lists.chunks.par_iter_mut().enumerate().for_each(|(number, chunk)| {
-            let first = number * CHUNK;
-            let count = CHUNK.min(self.len() - first);
-            T::dispatch(self.level, Lists { cells: self, first, count, chunk });
+        let work = lists.chunks.par_iter_mut().enumerate();
+        work.for_each_init(Around::default, |around, (number, chunk)| {
+            let particles = number * CHUNK..self.len().min((number + 1) * CHUNK);
+            T::dispatch(self.level, Lists { cells: self, particles, around, chunk });
         });
     }
 }
@@ -77,8 +81,8 @@ impl<T: Real, const D: usize> Cells<T, D> {
 /// The lists of some consecutive particles.
 struct Lists<'a, T, const D: usize> {
     cells: &'a Cells<T, D>,
-    first: usize,
-    count: usize,
+    particles: Range<usize>,
+    around: &'a mut Around<T, D>,
     chunk: &'a mut Chunk,
 }
 
@@ -86,15 +90,27 @@ impl<T: Real, const D: usize> Job<T> for Lists<'_, T, D> {
     type Output = ();
 
     #[inline(always)]
-    fn run<I: Isa<T>, const N: usize>(self, isa: I) {
-        let mut found = Found { squares: Vec::new(), places: std::mem::take(&mut self.chunk.places) };
-        self.chunk.ends.clear();
-        let mut end = 0;
-        for place in self.first..self.first + self.count {
-            let x = self.cells.sorted.position(place);
-            end = collect::<T, D, I, false, true>(isa, self.cells, None, &x, &mut found, end);
-            self.chunk.ends.push(end);
+    fn run<I: Isa<T>>(self, isa: I) {
+        let Self { cells, particles, around, chunk: Chunk { ends, places: out } } = self;
+        let limit = [cells.radius * cells.radius; BLOCK];
+        ends.clear();
+        let (mut rest, mut end) = (particles, 0);
+        while !rest.is_empty() {
+            let group = Around::group(cells, &rest);
+            around.gather(isa, cells, group.clone(), 0);
+            let (axes, places) = around.padded();
+            reserve(out, end + group.len() * places.len() + BLOCK);
+            for place in group.clone() {
+                let x = cells.sorted.position(place);
+                for (block, places) in places.as_chunks::<BLOCK>().0.iter().enumerate() {
+                    let squares = squares(&axes, block * BLOCK, |axis, y| Lanes::splat(x[axis]) - y);
+                    let mask = isa.below(&squares.0, &limit);
+                    isa.pack_places(mask, places, sixteen_mut(out, end));
+                    end += mask.count_ones() as usize;
+                }
+                ends.push(end);
+            }
+            rest.start = group.end;
         }
-        self.chunk.places = found.places;
     }
 }

@@ -7,6 +7,8 @@
 //!
 //! What bounds each job, and how near to that the code comes, is in `docs/speed.md`.
 
+mod around;
+mod blocks;
 mod cells;
 mod collect;
 mod density;
@@ -15,6 +17,7 @@ mod fields;
 mod lanes;
 mod levels;
 mod lists;
+mod pairs;
 mod set;
 mod simd;
 mod sort;

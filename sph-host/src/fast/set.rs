@@ -1,5 +1,7 @@
 //! The sorted particles, and what they can be asked for.
 
+use std::ops::Range;
+
 use rayon::prelude::*;
 use sph_core::{Error, Parameter, Scalar};
 
@@ -78,6 +80,18 @@ impl<T: Real, const D: usize> Cells<T, D> {
     #[must_use]
     pub fn along(&self, axis: usize) -> &[T] {
         &self.sorted.coordinates[axis][..self.len()]
+    }
+}
+
+impl<T: Real, const D: usize> Cells<T, D> {
+    /// The box of some consecutive particles, of which there is one at least.
+    #[inline(always)]
+    pub(super) fn corners(&self, particles: Range<usize>) -> ([T; D], [T; D]) {
+        let axes = self.sorted.padded().map(|axis| &axis[particles.clone()]);
+        let end = |axis: &[T], before: fn(T, T) -> bool| {
+            axis.iter().fold(axis[0], |end, &x| if before(x, end) { x } else { end })
+        };
+        (axes.map(|axis| end(axis, |a, b| a < b)), axes.map(|axis| end(axis, |a, b| a > b)))
     }
 }
 

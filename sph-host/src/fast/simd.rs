@@ -19,8 +19,8 @@ pub trait Isa<T>: Copy {
     /// Moves the values whose bit is set to the front of `out`; what follows them is left open.
     fn pack(self, mask: u32, values: &[T; BLOCK], out: &mut [T; BLOCK]);
 
-    /// Likewise the numbers `first`, `first + 1`, …
-    fn pack_index(self, mask: u32, first: u32, out: &mut [u32; BLOCK]);
+    /// Likewise places.
+    fn pack_places(self, mask: u32, places: &[u32; BLOCK], out: &mut [u32; BLOCK]);
 }
 
 /// Work that is compiled once for each instruction set.
@@ -28,8 +28,8 @@ pub trait Job<T> {
     /// What comes of it.
     type Output;
 
-    /// Does the work; N: numbers of type T in a vector. Must be `#[inline(always)]`, with all that it calls in a hot loop.
-    fn run<I: Isa<T>, const N: usize>(self, isa: I) -> Self::Output;
+    /// Does the work. Must be `#[inline(always)]`, with all that it calls in a hot loop.
+    fn run<I: Isa<T>>(self, isa: I) -> Self::Output;
 }
 
 /// An instruction set that the fast path has code for.
@@ -127,20 +127,21 @@ impl<T: Real> Isa<T> for Baseline {
 
     #[inline(always)]
     fn pack(self, mask: u32, values: &[T; BLOCK], out: &mut [T; BLOCK]) {
-        let mut end = 0;
-        for k in 0..BLOCK {
-            out[end & (BLOCK - 1)] = values[k];
-            end += (mask >> k & 1) as usize;
-        }
+        pack(mask, values, out);
     }
 
     #[inline(always)]
-    fn pack_index(self, mask: u32, first: u32, out: &mut [u32; BLOCK]) {
-        let mut end = 0;
-        for k in 0..BLOCK as u32 {
-            out[end & (BLOCK - 1)] = first.wrapping_add(k);
-            end += (mask >> k & 1) as usize;
-        }
+    fn pack_places(self, mask: u32, places: &[u32; BLOCK], out: &mut [u32; BLOCK]) {
+        pack(mask, places, out);
+    }
+}
+
+#[inline(always)]
+fn pack<V: Copy>(mask: u32, values: &[V; BLOCK], out: &mut [V; BLOCK]) {
+    let mut end = 0;
+    for k in 0..BLOCK {
+        out[end & (BLOCK - 1)] = values[k];
+        end += (mask >> k & 1) as usize;
     }
 }
 
@@ -153,13 +154,13 @@ mod other {
 
     impl sealed::Sealed for f32 {
         fn dispatch<J: Job<Self>>(_: Level, job: J) -> J::Output {
-            job.run::<_, 4>(Baseline)
+            job.run(Baseline)
         }
     }
 
     impl sealed::Sealed for f64 {
         fn dispatch<J: Job<Self>>(_: Level, job: J) -> J::Output {
-            job.run::<_, 2>(Baseline)
+            job.run(Baseline)
         }
     }
 }

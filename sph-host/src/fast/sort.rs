@@ -36,8 +36,8 @@ pub(super) struct Sorted<T, const D: usize> {
 impl<T, const D: usize> Sorted<T, D> {
     /// The places of a run's particles: from the first to before the last.
     #[inline(always)]
-    pub(super) fn range(&self, run: &Run) -> (usize, usize) {
-        (self.starts[run.first] as usize, self.starts[run.last + 1] as usize)
+    pub(super) fn range(&self, run: &Run) -> (u32, u32) {
+        (self.starts[run.first as usize], self.starts[run.end as usize])
     }
 }
 
@@ -49,6 +49,24 @@ impl<T: Real, const D: usize> Sorted<T, D> {
             #[inline(always)]
             |axis| self.coordinates[axis][place],
         )
+    }
+
+    /// The coordinates and a block of zeros, all of a length that can be seen to be the same.
+    #[inline(always)]
+    pub(super) fn padded(&self) -> [&[T]; D] {
+        let length = self.order.len() + BLOCK;
+        std::array::from_fn(
+            #[inline(always)]
+            |axis| &self.coordinates[axis][..length],
+        )
+    }
+
+    /// A number for each particle, found by its index, in the order of the cells; and after the last a block of zeros.
+    pub(super) fn column(&self, value: impl Fn(usize) -> T + Sync) -> Vec<T> {
+        let mut column = vec![T::ZERO; self.order.len() + BLOCK];
+        let rows = column.par_iter_mut().zip(&self.order).with_min_len(CHUNK / 16);
+        rows.for_each(|(out, &index)| *out = value(index as usize));
+        column
     }
 }
 

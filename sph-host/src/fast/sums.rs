@@ -5,26 +5,40 @@ use std::ops::Range;
 
 use sph_core::kernel::Kernel;
 
-use super::collect::{Collect, Found, Span};
-use super::evaluate::{Columns, Evaluate};
+use super::blocks::reserve;
+use super::collect::{Collect, Found, Pick};
+use super::evaluate::{Evaluate, totals};
 use super::fields::Part;
-use super::lanes::Lanes;
 use super::simd::{BLOCK, Isa, Job, Real};
 use super::sort::Sorted;
 
 /// Memory that is used again: a number for each particle found, for all points of a group.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Scratch<T> {
+#[derive(Clone, Debug)]
+pub(super) struct Scratch<T, const D: usize> {
     found: Found<T>,
-    spans: Vec<Span>,
-    /// (x − x_j) / h, axis by axis.
-    offsets: [Vec<T>; 3],
+    /// f(q)
+    profiles: Vec<T>,
     /// f′(q) / q
     slopes: Vec<T>,
-    /// c_j, times h_j^{-D} where each has its own h_j.
-    picked: Vec<T>,
-    /// The same once more divided by h_j.
-    steep: Vec<T>,
+    /// x_j, axis by axis.
+    coordinates: [Vec<T>; D],
+    /// 1 / h_j, where each has its own h_j.
+    inverses: Vec<T>,
+    /// c_j
+    coefficients: Vec<T>,
+}
+
+impl<T, const D: usize> Default for Scratch<T, D> {
+    fn default() -> Self {
+        Self {
+            found: Found { squares: Vec::new(), blocks: Vec::new(), spans: Vec::new() },
+            profiles: Vec::new(),
+            slopes: Vec::new(),
+            coordinates: [const { Vec::new() }; D],
+            inverses: Vec::new(),
+            coefficients: Vec::new(),
+        }
+    }
 }
 
 /// One part's contribution at a group of consecutive points.
@@ -34,223 +48,138 @@ pub(super) struct Group<'a, T, const D: usize> {
     pub(super) constant: T,
     pub(super) points: &'a Sorted<T, D>,
     pub(super) range: Range<usize>,
-    pub(super) width: usize,
     pub(super) gradient: bool,
 }
 
 impl<T: Real, const D: usize> Group<'_, T, D> {
     /// Adds the sums to rows of values, and how many particles are in reach.
-    pub(super) fn add<K: Kernel>(&self, values: &mut [T], reached: &mut [u32], scratch: &mut Scratch<T>) {
-        let (cells, level) = (self.part.cells, self.part.cells.level);
-        let search = Collect {
-            cells,
-            own_limits: self.part.own.map(|own| &own.squares[..]),
-            points: self.points,
-            range: self.range.clone(),
-            places: true,
-            found: &mut scratch.found,
-            spans: &mut scratch.spans,
-        };
-        let end = T::dispatch(level, search);
-        for (reached, span) in reached.iter_mut().zip(&scratch.spans) {
+    pub(super) fn add<K: Kernel>(&self, values: &mut [T], reached: &mut [u32], scratch: &mut Scratch<T, D>) {
+        let Part { cells, own, coefficients } = self.part;
+        let level = cells.level;
+        let Scratch { found, profiles, slopes, coordinates, inverses, coefficients: _ } = scratch;
+        let own_limits = own.map(|own| &own.squares[..]);
+        let (points, range) = (self.points, self.range.clone());
+        let end = T::dispatch(level, Collect { cells, own_limits, points, range, found });
+        for (reached, span) in reached.iter_mut().zip(&found.spans) {
             *reached += span.count as u32;
         }
-        T::dispatch(level, Prepare { group: self, end, scratch });
-        let slopes = if self.gradient { &mut scratch.slopes[..end] } else { &mut [] };
-        let squares = &mut scratch.found.squares[..end];
-        T::dispatch(level, Evaluate { squares, slopes, kernel: PhantomData::<K>, line: D == 1 });
-        T::dispatch(level, SumUp { group: self, end, values, scratch });
-    }
-
-    /// Fills a list with a number for each particle found, and with zeros between.
-    #[inline(always)]
-    fn fill(
-        list: &mut Vec<T>,
-        spans: &[Span],
-        places: &[u32],
-        end: usize,
-        value: impl Fn(usize, usize) -> T,
-    ) {
-        if list.len() < end {
-            list.resize(end, T::ZERO);
+        if let Some(own) = own {
+            T::dispatch(level, Pick { found, columns: [&own.inverses], out: [inverses] });
         }
-        for (point, span) in spans.iter().enumerate() {
-            let out = &mut list[span.padded()];
-            for (out, &place) in out.iter_mut().zip(&places[span.particles()]) {
-                *out = value(point, place as usize);
-            }
-            out[span.count..].fill(T::ZERO);
+        if self.gradient {
+            let out = coordinates.each_mut();
+            T::dispatch(level, Pick { found, columns: cells.sorted.padded(), out });
         }
-    }
-}
-
-/// Makes r² / h² of r², and (x − x_j) / h.
-struct Prepare<'a, T, const D: usize> {
-    group: &'a Group<'a, T, D>,
-    end: usize,
-    scratch: &'a mut Scratch<T>,
-}
-
-impl<T: Real, const D: usize> Job<T> for Prepare<'_, T, D> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<I: Isa<T>, const N: usize>(self, _: I) {
-        let (part, end) = (self.group.part, self.end);
-        let Scratch { found, spans, offsets, slopes, .. } = self.scratch;
-        let Found { squares, places } = found;
-        let inverse = T::ONE / part.cells.radius;
-        match part.own {
-            None => squares[..end].iter_mut().for_each(|r2| *r2 = *r2 * (inverse * inverse)),
-            Some(own) => {
-                for span in spans.iter() {
-                    for (r2, &place) in squares[span.particles()].iter_mut().zip(&places[span.particles()]) {
-                        let inverse = own.inverses[place as usize];
-                        *r2 = *r2 * (inverse * inverse);
-                    }
-                }
-            }
-        }
-        if !self.group.gradient {
-            return;
-        }
-        if slopes.len() < end {
-            slopes.resize(end, T::ZERO);
-        }
-        for axis in 0..D {
-            let coordinates = &part.cells.sorted.coordinates[axis][..];
-            let points = &self.group.points.coordinates[axis][self.group.range.clone()];
-            match part.own {
-                None => Group::<T, D>::fill(
-                    &mut offsets[axis],
-                    spans,
-                    places,
-                    end,
-                    #[inline(always)]
-                    |point, place| (points[point] - coordinates[place]) * inverse,
-                ),
-                Some(own) => Group::<T, D>::fill(
-                    &mut offsets[axis],
-                    spans,
-                    places,
-                    end,
-                    #[inline(always)]
-                    |point, place| (points[point] - coordinates[place]) * own.inverses[place],
-                ),
-            }
+        reserve(profiles, end);
+        reserve(slopes, end);
+        let evaluate = Evaluate::<T, K, D> {
+            squares: &found.squares[..end],
+            inverse: T::ONE / cells.radius,
+            inverses: own.map(|_| &inverses[..end]),
+            profiles: &mut profiles[..end],
+            slopes: if self.gradient { &mut slopes[..end] } else { &mut [] },
+            kernel: PhantomData::<K>,
+        };
+        T::dispatch(level, evaluate);
+        let stride = if self.gradient { 1 + D } else { 1 };
+        for (field, column) in coefficients.iter().enumerate() {
+            T::dispatch(
+                level,
+                Pick { found: &scratch.found, columns: [column], out: [&mut scratch.coefficients] },
+            );
+            let rows = values.chunks_exact_mut(stride * coefficients.len());
+            T::dispatch(level, SumUp { group: self, values: rows, first: field * stride, scratch });
         }
     }
 }
 
-/// Adds up what kernels and coefficients make together.
+/// Adds up what kernels and the coefficients of one field make together.
 struct SumUp<'a, T, const D: usize> {
     group: &'a Group<'a, T, D>,
-    end: usize,
-    values: &'a mut [T],
-    scratch: &'a mut Scratch<T>,
+    /// A row for each point.
+    values: std::slice::ChunksExactMut<'a, T>,
+    /// Where in a row the field's values are.
+    first: usize,
+    scratch: &'a Scratch<T, D>,
 }
 
 impl<T: Real, const D: usize> Job<T> for SumUp<'_, T, D> {
     type Output = ();
 
     #[inline(always)]
-    fn run<I: Isa<T>, const N: usize>(mut self, _: I) {
-        for field in 0..self.group.width {
-            self.pick(field);
-            self.add::<N>(field);
+    fn run<I: Isa<T>>(self, _: I) {
+        match (self.group.gradient, self.group.part.own.is_some()) {
+            (false, false) => self.all::<false, false>(),
+            (false, true) => self.all::<false, true>(),
+            (true, false) => self.all::<true, false>(),
+            (true, true) => self.all::<true, true>(),
         }
     }
 }
 
 impl<T: Real, const D: usize> SumUp<'_, T, D> {
-    /// The coefficients of one field.
+    /// OWN: each particle has its own h.
     #[inline(always)]
-    fn pick(&mut self, field: usize) {
-        let Group { part, width, gradient, .. } = self.group;
-        let Scratch { found, spans, picked, steep, .. } = &mut *self.scratch;
-        let (places, end) = (&found.places[..], self.end);
-        let Some(own) = part.own else {
-            Group::<T, D>::fill(
-                picked,
-                spans,
-                places,
-                end,
+    fn all<const GRADIENT: bool, const OWN: bool>(self) {
+        let Self { group: Group { part, constant, points, range, .. }, values, first, scratch } = self;
+        let inverse = if OWN { T::ONE } else { T::ONE / part.cells.radius };
+        for ((place, &span), values) in range.clone().zip(&scratch.found.spans).zip(values) {
+            let x = points.position(place);
+            let (f, c) = (span.blocks_of(&scratch.profiles), span.blocks_of(&scratch.coefficients));
+            let slopes = if GRADIENT { span.blocks_of(&scratch.slopes) } else { c };
+            let inverses = if OWN { span.blocks_of(&scratch.inverses) } else { c };
+            let coordinates: [_; D] = std::array::from_fn(
                 #[inline(always)]
-                |_, place| part.coefficients[place * width + field],
+                |axis| if GRADIENT { span.blocks_of(&scratch.coordinates[axis]) } else { c },
             );
-            return;
-        };
-        Group::<T, D>::fill(
-            picked,
-            spans,
-            places,
-            end,
-            #[inline(always)]
-            |_, place| {
-                let inverse = own.inverses[place];
-                part.coefficients[place * width + field] * (1..D).fold(inverse, |power, _| power * inverse)
-            },
-        );
-        if *gradient {
-            Group::<T, D>::fill(
-                steep,
-                spans,
-                places,
-                end,
-                #[inline(always)]
-                |_, place| own.inverses[place],
-            );
-            steep.iter_mut().zip(&picked[..end]).for_each(|(steep, &c)| *steep = *steep * c);
-        }
-    }
-
-    /// Adds one field's sums to its values.
-    #[inline(always)]
-    fn add<const N: usize>(&mut self, field: usize) {
-        let Group { part, constant, gradient, width, .. } = self.group;
-        let stride = if *gradient { 1 + D } else { 1 };
-        let Scratch { found, spans, offsets, slopes, picked, steep } = &*self.scratch;
-        let (steep, unit) = match part.own {
-            None => (picked, *constant / part.cells.radius),
-            Some(_) => (steep, *constant),
-        };
-        for (span, values) in spans.iter().zip(self.values.chunks_exact_mut(stride * width)) {
-            let values = &mut values[field * stride..][..stride];
-            let blocks = span.padded();
-            values[0] +=
-                products::<T, N>(&picked[blocks.clone()], &found.squares[blocks.clone()]) * *constant;
-            if *gradient {
-                for axis in 0..D {
-                    let (c, f, x) =
-                        (&steep[blocks.clone()], &slopes[blocks.clone()], &offsets[axis][blocks.clone()]);
-                    values[1 + axis] += triple_products::<T, N>(c, f, x) * unit;
+            let mut value = [T::ZERO; BLOCK];
+            let mut gradient = [[T::ZERO; BLOCK]; D];
+            for block in 0..c.len() {
+                let mut c = c[block];
+                if OWN {
+                    for _ in 0..D {
+                        c = product(&c, &inverses[block]);
+                    }
+                }
+                add(&mut value, &product(&c, &f[block]));
+                if GRADIENT {
+                    let mut slope = slopes[block];
+                    if OWN {
+                        (c, slope) = (product(&c, &inverses[block]), product(&slope, &inverses[block]));
+                    }
+                    for axis in 0..D {
+                        let d = coordinates[axis][block].map(
+                            #[inline(always)]
+                            |y| x[axis] - y,
+                        );
+                        add(&mut gradient[axis], &product(&c, &product(&slope, &d)));
+                    }
+                }
+            }
+            let values = &mut values[first..];
+            values[0] += totals(&[value])[0] * *constant;
+            if GRADIENT {
+                for (value, total) in values[1..].iter_mut().zip(totals(&gradient)) {
+                    *value += (total * inverse) * (*constant * inverse);
                 }
             }
         }
     }
 }
 
-/// Σ c f
+/// Number by number.
 #[inline(always)]
-fn products<T: Real, const N: usize>(c: &[T], f: &[T]) -> T {
-    let mut columns = Columns::<T, N>::ZERO;
-    for (c, f) in c.as_chunks::<BLOCK>().0.iter().zip(f.as_chunks::<BLOCK>().0) {
-        for group in 0..BLOCK / N {
-            columns.add(group, Lanes::of(c, group) * Lanes::of(f, group));
-        }
-    }
-    columns.total()
+fn product<T: Real>(a: &[T; BLOCK], b: &[T; BLOCK]) -> [T; BLOCK] {
+    std::array::from_fn(
+        #[inline(always)]
+        |k| a[k] * b[k],
+    )
 }
 
-/// Σ c (f x)
+/// Number by number.
 #[inline(always)]
-fn triple_products<T: Real, const N: usize>(c: &[T], f: &[T], x: &[T]) -> T {
-    let mut columns = Columns::<T, N>::ZERO;
-    let (c, f, x) = (c.as_chunks::<BLOCK>().0, f.as_chunks::<BLOCK>().0, x.as_chunks::<BLOCK>().0);
-    for ((c, f), x) in c.iter().zip(f).zip(x) {
-        for group in 0..BLOCK / N {
-            columns.add(group, Lanes::of(c, group) * (Lanes::of(f, group) * Lanes::of(x, group)));
-        }
+fn add<T: Real>(sums: &mut [T; BLOCK], terms: &[T; BLOCK]) {
+    for k in 0..BLOCK {
+        sums[k] += terms[k];
     }
-    columns.total()
 }

@@ -91,7 +91,7 @@ impl<T: Real, const D: usize> Set<T, D> {
         }
     }
 
-    /// ρ at the particles: the bits that the sums at a point of the same place have.
+    /// ρ at the particles: to rounding what the sums at points of the same places are.
     fn densities(&self, kernel: KernelName, positions: &[[T; D]], masses: &[T]) -> Result<Vec<T>, Error> {
         match self {
             Self::Cells(cells) => with_kernel!(kernel, K => cells.density::<K>(masses)),

@@ -92,6 +92,42 @@ fn no_bit_depends_on_threads_and_the_order_of_the_input_changes_rounding_alone()
     assert!(density.iter().rev().zip(&one).all(|(&a, &b)| agree(a, b.into(), 1e-6)));
 }
 
+/// The sums at points of the same places look at each pair twice and go by no window.
+#[test]
+fn sets_of_any_shape_reach_across_the_pieces_they_are_summed_in() {
+    fn check<const D: usize>(counts: [usize; D]) {
+        let mut random = Random(2);
+        let positions: Vec<[f32; D]> = (0..counts.iter().product())
+            .map(|i| {
+                let mut rest = i;
+                counts.map(|count| {
+                    let k = rest % count;
+                    rest /= count;
+                    k as f32 + 0.4 * random.next() as f32
+                })
+            })
+            .collect();
+        let masses: Vec<f32> = positions.iter().map(|_| 0.5 + random.next() as f32).collect();
+        let cells = Cells::sort(&positions, 2.6).unwrap();
+        let density = cells.density::<CubicSpline>(&masses[..]).unwrap();
+        let sums = cells.fields(&[&masses]).unwrap().at::<CubicSpline>(&positions, false).unwrap();
+        for (i, (&density, &sum)) in density.iter().zip(&sums.values).enumerate() {
+            assert!(agree(density, sum.into(), 1e-6), "{counts:?} {i}: {density} {sum}");
+        }
+    }
+    check([20_000]);
+    check([6000, 4]);
+    check([4, 6000]);
+    check([130, 130]);
+    // rows longer than a piece, rows shorter than the support, layers of one row, one layer
+    check([3000, 5, 5]);
+    check([2, 90, 90]);
+    check([90, 2, 90]);
+    check([90, 90, 2]);
+    check([2, 2, 4000]);
+    check([26, 27, 28]);
+}
+
 #[test]
 fn none_one_and_far_apart() {
     let none = Cells::<f32, 3>::sort(&[], 1.0).unwrap();

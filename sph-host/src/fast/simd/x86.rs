@@ -1,6 +1,6 @@
 //! AVX2 and AVX-512.
 
-use std::arch::x86_64::{__m256, __m256d, __m256i, __m512, __m512d, __m512i, _CMP_LT_OQ};
+use std::arch::x86_64::{__m256, __m256d, __m256i, __m512, __m512d, _CMP_LT_OQ};
 use std::marker::PhantomData;
 
 use pulp::x86::{V3, V4};
@@ -9,56 +9,39 @@ use pulp::{Simd, WithSimd, cast};
 use super::{BLOCK, Baseline, Isa, Job, Level, sealed::Sealed};
 
 /// A job on its way into a function that is compiled for V3 or V4.
-struct Inside<T, I, J, const N: usize> {
+struct Inside<T, I, J> {
     isa: I,
     job: J,
     float: PhantomData<T>,
 }
 
-impl<T, I: Isa<T>, J: Job<T>, const N: usize> WithSimd for Inside<T, I, J, N> {
+impl<T, I: Isa<T>, J: Job<T>> WithSimd for Inside<T, I, J> {
     type Output = J::Output;
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, _: S) -> J::Output {
-        self.job.run::<I, N>(self.isa)
+        self.job.run(self.isa)
     }
 }
 
 macro_rules! dispatch {
-    ($Real:ident: $avx512:literal, $avx2:literal, $sse2:literal) => {
+    ($Real:ident) => {
         impl Sealed for $Real {
             fn dispatch<J: Job<Self>>(level: Level, job: J) -> J::Output {
                 if let (Level::Avx512, Some(isa)) = (level, V4::try_new()) {
-                    return Simd::vectorize(
-                        isa,
-                        Inside::<$Real, _, _, $avx512> { isa, job, float: PhantomData },
-                    );
+                    return Simd::vectorize(isa, Inside::<$Real, _, _> { isa, job, float: PhantomData });
                 }
                 if let (Level::Avx2 | Level::Avx512, Some(isa)) = (level, V3::try_new()) {
-                    return Simd::vectorize(
-                        isa,
-                        Inside::<$Real, _, _, $avx2> { isa, job, float: PhantomData },
-                    );
+                    return Simd::vectorize(isa, Inside::<$Real, _, _> { isa, job, float: PhantomData });
                 }
-                job.run::<_, $sse2>(Baseline)
+                job.run(Baseline)
             }
         }
     };
 }
 
-dispatch!(f32: 16, 8, 4);
-dispatch!(f64: 8, 4, 2);
-
-/// 0, 1, … 15
-const COUNT: [u32; BLOCK] = {
-    let mut count = [0; BLOCK];
-    let mut k = 0;
-    while k < BLOCK {
-        count[k] = k as u32;
-        k += 1;
-    }
-    count
-};
+dispatch!(f32);
+dispatch!(f64);
 
 /// For each mask of eight lanes of 32 bits, the lanes that are set, in order.
 static LANES_OF_8: [[u32; 8]; 256] = {
@@ -114,23 +97,17 @@ fn put<T: Copy, const N: usize>(out: &mut [T; BLOCK], at: u32, part: [T; N]) {
     out[at..at + N].copy_from_slice(&part);
 }
 
-/// The indices whose bit is set.
 #[inline(always)]
-fn pack_index_avx512(isa: V4, mask: u32, first: u32, out: &mut [u32; BLOCK]) {
-    let count: __m512i = cast(COUNT);
-    let numbers = isa.avx512f._mm512_add_epi32(count, isa.avx512f._mm512_set1_epi32(first as i32));
-    *out = cast(isa.avx512f._mm512_maskz_compress_epi32(mask as u16, numbers));
+fn pack_places_avx512(isa: V4, mask: u32, places: &[u32; BLOCK], out: &mut [u32; BLOCK]) {
+    *out = cast(isa.avx512f._mm512_maskz_compress_epi32(mask as u16, cast(*places)));
 }
 
-/// The indices whose bit is set.
 #[inline(always)]
-fn pack_index_avx2(isa: V3, mask: u32, first: u32, out: &mut [u32; BLOCK]) {
-    for (at, mask, first) in
-        [(0, mask, first), ((mask & 0xff).count_ones(), mask >> 8, first.wrapping_add(8))]
-    {
+fn pack_places_avx2(isa: V3, mask: u32, places: &[u32; BLOCK], out: &mut [u32; BLOCK]) {
+    for (at, mask, from) in [(0, mask, 0), ((mask & 0xff).count_ones(), mask >> 8, 8)] {
+        let places: __m256i = cast(part::<u32, 8>(places, from));
         let lanes: __m256i = cast(LANES_OF_8[(mask & 0xff) as usize]);
-        let numbers = isa.avx2._mm256_add_epi32(lanes, isa.avx._mm256_set1_epi32(first as i32));
-        put(out, at, cast::<_, [u32; 8]>(numbers));
+        put(out, at, cast::<_, [u32; 8]>(isa.avx2._mm256_permutevar8x32_epi32(places, lanes)));
     }
 }
 
@@ -147,8 +124,8 @@ impl Isa<f32> for V4 {
     }
 
     #[inline(always)]
-    fn pack_index(self, mask: u32, first: u32, out: &mut [u32; BLOCK]) {
-        pack_index_avx512(self, mask, first, out);
+    fn pack_places(self, mask: u32, places: &[u32; BLOCK], out: &mut [u32; BLOCK]) {
+        pack_places_avx512(self, mask, places, out);
     }
 }
 
@@ -172,8 +149,8 @@ impl Isa<f64> for V4 {
     }
 
     #[inline(always)]
-    fn pack_index(self, mask: u32, first: u32, out: &mut [u32; BLOCK]) {
-        pack_index_avx512(self, mask, first, out);
+    fn pack_places(self, mask: u32, places: &[u32; BLOCK], out: &mut [u32; BLOCK]) {
+        pack_places_avx512(self, mask, places, out);
     }
 }
 
@@ -199,8 +176,8 @@ impl Isa<f32> for V3 {
     }
 
     #[inline(always)]
-    fn pack_index(self, mask: u32, first: u32, out: &mut [u32; BLOCK]) {
-        pack_index_avx2(self, mask, first, out);
+    fn pack_places(self, mask: u32, places: &[u32; BLOCK], out: &mut [u32; BLOCK]) {
+        pack_places_avx2(self, mask, places, out);
     }
 }
 
@@ -230,7 +207,7 @@ impl Isa<f64> for V3 {
     }
 
     #[inline(always)]
-    fn pack_index(self, mask: u32, first: u32, out: &mut [u32; BLOCK]) {
-        pack_index_avx2(self, mask, first, out);
+    fn pack_places(self, mask: u32, places: &[u32; BLOCK], out: &mut [u32; BLOCK]) {
+        pack_places_avx2(self, mask, places, out);
     }
 }

@@ -1,0 +1,99 @@
+//! What is in reach of a few particles that lie together, copied to one place for all of them.
+
+use std::ops::Range;
+
+use super::blocks::{Block, candidates, reserve, sixteen, sixteen_mut, squares};
+use super::lanes::Lanes;
+use super::set::Cells;
+use super::simd::{BLOCK, Isa, Real};
+
+/// Particles that share a search: with more, fewer of those that are near one of them are near another.
+pub(super) const GROUP: usize = 12;
+
+/// The particles in reach of the box of a group. The lists are longer than what was found: the rest is left over.
+#[derive(Clone, Debug)]
+pub(super) struct Around<T, const D: usize> {
+    blocks: Vec<Block>,
+    /// Axis by axis, and up to a whole block numbers beyond any support.
+    coordinates: [Vec<T>; D],
+    /// Their places, ascending.
+    places: Vec<u32>,
+    count: usize,
+}
+
+impl<T, const D: usize> Default for Around<T, D> {
+    fn default() -> Self {
+        let coordinates = [const { Vec::new() }; D];
+        Self { blocks: Vec::new(), coordinates, places: Vec::new(), count: 0 }
+    }
+}
+
+impl<T: Real, const D: usize> Around<T, D> {
+    /// Splits off the first few of some consecutive particles: they are in one row of cells and not far apart.
+    #[inline(always)]
+    pub(super) fn group(cells: &Cells<T, D>, particles: &Range<usize>) -> Range<usize> {
+        let first = cells.sorted.position(particles.start);
+        let (row, spread) = (cells.layout.row(&first), cells.radius);
+        let together = |place: &usize| {
+            let x = cells.sorted.position(*place);
+            cells.layout.row(&x) == row && x[0] - first[0] < spread
+        };
+        let last = particles.end.min(particles.start + GROUP);
+        let more = (particles.start + 1..last).take_while(together).count();
+        particles.start..particles.start + 1 + more
+    }
+
+    /// Copies what is in reach of the box of a group, of the particles from a place on.
+    #[inline(always)]
+    pub(super) fn gather<I: Isa<T>>(
+        &mut self,
+        isa: I,
+        cells: &Cells<T, D>,
+        group: Range<usize>,
+        from: usize,
+    ) {
+        let axes = cells.sorted.padded();
+        let (lower, upper) = cells.corners(group);
+        let blocks = candidates(cells, &lower, &upper, from, &mut self.blocks, 0);
+        let room = (blocks + 1) * BLOCK;
+        reserve(&mut self.places, room);
+        let mut coordinates = self.coordinates.each_mut().map(|axis| {
+            reserve(axis, room);
+            &mut axis[..room]
+        });
+        let places = &mut self.places[..room];
+        let limit = [cells.radius * cells.radius; BLOCK];
+        let mut end = 0;
+        for block in &self.blocks[..blocks] {
+            let first = block.first as usize;
+            // rounding keeps the order: nobody is further from the box than from a particle in it
+            let squares = squares(&axes, first, |axis, x| {
+                x - x.max(Lanes::splat(lower[axis])).min(Lanes::splat(upper[axis]))
+            });
+            let mask = block.mask & isa.below(&squares.0, &limit);
+            for axis in 0..D {
+                isa.pack(mask, sixteen(axes[axis], first), sixteen_mut(coordinates[axis], end));
+            }
+            let numbers = std::array::from_fn(|k| block.first.wrapping_add(k as u32));
+            isa.pack_places(mask, &numbers, sixteen_mut(places, end));
+            end += mask.count_ones() as usize;
+        }
+        for axis in &mut coordinates {
+            *sixteen_mut(axis, end) = [T::MAX; BLOCK];
+        }
+        self.count = end;
+    }
+
+    /// The places of what was copied.
+    #[inline(always)]
+    pub(super) fn places(&self) -> &[u32] {
+        &self.places[..self.count]
+    }
+
+    /// The same in whole blocks, with what is beyond any support or left over at the end.
+    #[inline(always)]
+    pub(super) fn padded(&self) -> ([&[T]; D], &[u32]) {
+        let length = self.count.next_multiple_of(BLOCK);
+        (self.coordinates.each_ref().map(|axis| &axis[..length]), &self.places[..length])
+    }
+}

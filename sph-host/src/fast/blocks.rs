@@ -1,0 +1,95 @@
+//! Candidates: runs of consecutive particles, sixteen at a time.
+
+use super::cells::Layout;
+use super::lanes::Lanes;
+use super::set::Cells;
+use sph_core::Arithmetic;
+
+use super::simd::{BLOCK, Real};
+
+/// Sixteen consecutive particles, and a bit for each that counts.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Block {
+    pub(super) first: u32,
+    pub(super) mask: u32,
+}
+
+/// Makes room for so many.
+#[inline(always)]
+pub(super) fn reserve<V: Clone + Default>(list: &mut Vec<V>, room: usize) {
+    #[cold]
+    fn grow<V: Clone + Default>(list: &mut Vec<V>, room: usize) {
+        list.resize(2 * room, V::default());
+    }
+    if list.len() < room {
+        grow(list, room);
+    }
+}
+
+/// Sixteen numbers of a list from a place on, which must be there.
+#[inline(always)]
+pub(super) fn sixteen<V>(list: &[V], first: usize) -> &[V; BLOCK] {
+    list[first..].first_chunk().expect("a block of padding")
+}
+
+/// As [`sixteen`], to be written.
+#[inline(always)]
+pub(super) fn sixteen_mut<V>(list: &mut [V], first: usize) -> &mut [V; BLOCK] {
+    list[first..].first_chunk_mut().expect("a block of padding")
+}
+
+/// Lists the candidates about a box that lies in one row of cells, of the particles from a place on, after the first `end`
+/// blocks; returns where they end then.
+#[inline(always)]
+pub(super) fn candidates<T: Real, const D: usize>(
+    cells: &Cells<T, D>,
+    lower: &[T; D],
+    upper: &[T; D],
+    from: usize,
+    blocks: &mut Vec<Block>,
+    mut end: usize,
+) -> usize {
+    let runs = cells.layout.runs(&lower.map(|c| c.to_f64()), &upper.map(|c| c.to_f64()));
+    for run in &runs[..Layout::<D>::RUNS] {
+        let (first, last) = cells.sorted.range(run);
+        let first = first.max(from as u32);
+        let size = last.saturating_sub(first);
+        let needed = size.div_ceil(BLOCK as u32) as usize;
+        reserve(blocks, end + needed + AT_ONCE);
+        split(first, size, needed, &mut blocks[end..]);
+        end += needed;
+    }
+    end
+}
+
+/// So many blocks are written at once, whether there are as many or not: how many there are cannot be foreseen.
+const AT_ONCE: usize = 4;
+
+/// Splits consecutive particles into blocks, of which as many are `needed`.
+#[inline(always)]
+fn split(first: u32, size: u32, needed: usize, out: &mut [Block]) {
+    let mut next = first;
+    for out in out.as_chunks_mut::<AT_ONCE>().0.iter_mut().take(needed.div_ceil(AT_ONCE).max(1)) {
+        for (k, out) in out.iter_mut().enumerate() {
+            *out = Block { first: next.wrapping_add((k * BLOCK) as u32), mask: 0xffff };
+        }
+        next = next.wrapping_add((AT_ONCE * BLOCK) as u32);
+    }
+    let missing = (needed * BLOCK) as u32 - size;
+    out[needed.max(1) - 1].mask = 0xffff >> missing;
+}
+
+/// r² of sixteen particles, summed axis by axis; `distances` has the axis and the coordinates.
+#[inline(always)]
+pub(super) fn squares<T: Real, const D: usize>(
+    axes: &[&[T]; D],
+    first: usize,
+    distances: impl Fn(usize, Lanes<T>) -> Lanes<T>,
+) -> Lanes<T> {
+    let mut sum = Lanes::ZERO;
+    for axis in 0..D {
+        let d = distances(axis, Lanes(*sixteen(axes[axis], first)));
+        sum = if axis == 0 { d * d } else { sum + d * d };
+    }
+    sum
+}

@@ -1,0 +1,107 @@
+//! Sums over pairs of particles, each of which is looked at once.
+
+use std::marker::PhantomData;
+use std::ops::Range;
+
+use sph_core::Arithmetic;
+use sph_core::kernel::Kernel;
+
+use super::around::{Around, GROUP};
+use super::blocks::{reserve, sixteen, squares};
+use super::evaluate::{profile, totals};
+use super::lanes::Lanes;
+use super::set::Cells;
+use super::simd::{BLOCK, Isa, Job, Real};
+
+/// Copies what is in reach of a group and comes no earlier than it.
+pub(super) struct Gather<'a, T, const D: usize> {
+    pub(super) cells: &'a Cells<T, D>,
+    pub(super) group: Range<usize>,
+    pub(super) around: &'a mut Around<T, D>,
+}
+
+impl<T: Real, const D: usize> Job<T> for Gather<'_, T, D> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<I: Isa<T>>(self, isa: I) {
+        self.around.gather(isa, self.cells, self.group.clone(), self.group.start);
+    }
+}
+
+/// Memory that is used again, a number for each particle around a group.
+#[derive(Clone, Debug)]
+pub(super) struct Scratch<T, const D: usize> {
+    pub(super) around: Around<T, D>,
+    /// m_j, where these are not all 1.
+    masses: Vec<T>,
+    /// What was summed at each particle around.
+    pub(super) sums: Vec<T>,
+}
+
+impl<T, const D: usize> Default for Scratch<T, D> {
+    fn default() -> Self {
+        Self { around: Around::default(), masses: Vec::new(), sums: Vec::new() }
+    }
+}
+
+/// Sums m_j f(q) over what is around a group, for the particles of the group, which are first in it, and for the others.
+pub(super) struct Pairs<'a, T, K, const D: usize> {
+    pub(super) cells: &'a Cells<T, D>,
+    pub(super) group: Range<usize>,
+    pub(super) masses: Option<&'a [T]>,
+    pub(super) scratch: &'a mut Scratch<T, D>,
+    pub(super) kernel: PhantomData<K>,
+}
+
+impl<T: Real, K: Kernel, const D: usize> Job<T> for Pairs<'_, T, K, D> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<I: Isa<T>>(self, _: I) {
+        if self.masses.is_some() { self.all::<true>() } else { self.all::<false>() }
+    }
+}
+
+impl<T: Real, K: Kernel, const D: usize> Pairs<'_, T, K, D> {
+    #[inline(always)]
+    fn all<const MASSES: bool>(self) {
+        let Scratch { around, masses, sums } = self.scratch;
+        let (axes, places) = around.padded();
+        let length = places.len();
+        reserve(sums, length);
+        reserve(masses, length);
+        let (masses, sums) = (&mut masses[..length], &mut sums[..length]);
+        if let Some(all) = self.masses {
+            for (mass, &place) in masses.iter_mut().zip(around.places()) {
+                *mass = all[place as usize];
+            }
+            masses[around.places().len()..].fill(T::ZERO);
+        }
+        sums.fill(T::ZERO);
+        let inverse = T::ONE / self.cells.radius;
+        let inverse_square = Lanes::splat(inverse * inverse);
+        let mut own = [[T::ZERO; BLOCK]; GROUP];
+        for (i, own) in own.iter_mut().enumerate().take(self.group.len()) {
+            let x = axes.map(|axis| Lanes::splat(axis[i]));
+            let mass = Lanes::splat(masses[i]);
+            let mut columns = Lanes::ZERO;
+            for (block, sums) in sums.as_chunks_mut::<BLOCK>().0.iter_mut().enumerate() {
+                let squares = squares(&axes, block * BLOCK, |axis, y| x[axis] - y);
+                let q = (squares * inverse_square).min(Lanes::ONE).root();
+                let f = profile::<_, K, D>(q);
+                if MASSES {
+                    columns += Lanes(*sixteen(masses, block * BLOCK)) * f;
+                    *sums = (Lanes(*sums) + mass * f).0;
+                } else {
+                    columns += f;
+                    *sums = (Lanes(*sums) + f).0;
+                }
+            }
+            *own = columns.0;
+        }
+        for (sum, own) in sums.iter_mut().zip(totals(&own)).take(self.group.len()) {
+            *sum = own;
+        }
+    }
+}
