@@ -7,11 +7,11 @@ use super::sort::Sorted;
 
 /// What was found about one point. The lists are longer than what was found: the rest is left over.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Found<T> {
+pub(crate) struct Found<T> {
     /// r², below h².
-    pub(super) squares: Vec<T>,
+    pub(crate) squares: Vec<T>,
     /// The particles' places in the order of the cells, where they were asked for.
-    pub(super) places: Vec<u32>,
+    pub(crate) places: Vec<u32>,
 }
 
 impl<T: Real> Found<T> {
@@ -33,6 +33,13 @@ impl<T: Real> Found<T> {
         }
     }
 
+    /// Lists the same place again and again.
+    #[inline(always)]
+    pub(crate) fn fill_places(&mut self, range: std::ops::Range<usize>, place: u32) {
+        self.reserve::<false, true>(range.end);
+        self.places[range].fill(place);
+    }
+
     /// Fills the lists up to a whole block with numbers beyond any support; returns where they end then.
     #[inline(always)]
     fn pad(&mut self, end: usize) -> usize {
@@ -46,21 +53,27 @@ impl<T: Real> Found<T> {
 
 /// The part of the lists that is about one point: whole blocks, of which `count` numbers are particles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Span {
-    pub(super) start: usize,
-    pub(super) count: usize,
+pub(crate) struct Span {
+    pub(crate) start: usize,
+    pub(crate) count: usize,
 }
 
 impl Span {
     /// The places of its particles in the lists.
     #[inline(always)]
-    pub(super) fn particles(self) -> std::ops::Range<usize> {
+    pub(crate) fn particles(self) -> std::ops::Range<usize> {
         self.start..self.start + self.count
+    }
+
+    /// The numbers of its blocks.
+    #[inline(always)]
+    pub(crate) fn blocks(self) -> std::ops::Range<usize> {
+        self.start / BLOCK..self.padded().end / BLOCK
     }
 
     /// The same with what fills up the last block.
     #[inline(always)]
-    pub(super) fn padded(self) -> std::ops::Range<usize> {
+    pub(crate) fn padded(self) -> std::ops::Range<usize> {
         self.start..self.start + self.count.next_multiple_of(BLOCK)
     }
 }
@@ -107,7 +120,7 @@ impl<T: Real, const D: usize> Collect<'_, T, D> {
 /// found before; returns how many are listed then. h is the cells' own, or each particle's where `own_limits` has their
 /// squares.
 #[inline(always)]
-pub(super) fn collect<T: Real, const D: usize, I: Isa<T>, const SQUARES: bool, const PLACES: bool>(
+pub(crate) fn collect<T: Real, const D: usize, I: Isa<T>, const SQUARES: bool, const PLACES: bool>(
     isa: I,
     cells: &Cells<T, D>,
     own_limits: Option<&[T]>,

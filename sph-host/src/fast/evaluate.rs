@@ -1,5 +1,6 @@
 //! Kernels on what was found about a point, as many numbers at once as a vector has.
 
+use std::hint::black_box;
 use std::marker::PhantomData;
 
 use sph_core::Arithmetic;
@@ -73,13 +74,13 @@ impl<T: Real, K: Kernel> SumProfiles<'_, T, K> {
 }
 
 /// f(q) and f′(q) / q, block by block.
-pub(super) struct Evaluate<'a, T, K> {
+pub(crate) struct Evaluate<'a, T, K> {
     /// r² / h², replaced by f(q).
-    pub(super) squares: &'a mut [T],
+    pub(crate) squares: &'a mut [T],
     /// f′(q) / q; empty where gradients are not wanted.
-    pub(super) slopes: &'a mut [T],
-    pub(super) kernel: PhantomData<K>,
-    pub(super) line: bool,
+    pub(crate) slopes: &'a mut [T],
+    pub(crate) kernel: PhantomData<K>,
+    pub(crate) line: bool,
 }
 
 impl<T: Real, K: Kernel> Job<T> for Evaluate<'_, T, K> {
@@ -92,11 +93,13 @@ impl<T: Real, K: Kernel> Job<T> for Evaluate<'_, T, K> {
 }
 
 impl<T: Real, K: Kernel> Evaluate<'_, T, K> {
+    /// Each block is hidden from the compiler, lest it take the first numbers of sixteen blocks for a vector.
     #[inline(always)]
     fn all<const LINE: bool, const N: usize>(self) {
         let squares = self.squares.as_chunks_mut::<BLOCK>().0;
         if self.slopes.is_empty() {
             for values in squares {
+                let values = black_box(values);
                 for group in 0..BLOCK / N {
                     profile::<T, K, LINE, N>(Lanes::of(values, group)).put(values, group);
                 }
@@ -104,6 +107,7 @@ impl<T: Real, K: Kernel> Evaluate<'_, T, K> {
             return;
         }
         for (values, slopes) in squares.iter_mut().zip(self.slopes.as_chunks_mut::<BLOCK>().0) {
+            let values = black_box(values);
             for group in 0..BLOCK / N {
                 let (f, slope) = profile_and_slope::<T, K, LINE, N>(Lanes::of(values, group));
                 f.put(values, group);
@@ -130,17 +134,17 @@ impl<T: Real, const N: usize> Columns<T, N> {
     /// The sum of the columns.
     #[inline(always)]
     pub(super) fn total(self) -> T {
-        total(&std::array::from_fn(
+        total(black_box(std::array::from_fn(
             #[inline(always)]
             |k| self.0[k / N].0[k % N],
-        ))
+        )))
     }
 }
 
-/// The sum, halves first. Not inlined: a sum within sight lets the compiler narrow the vectors that lead to it.
-#[inline(never)]
-fn total<T: Real>(columns: &[T; BLOCK]) -> T {
-    let mut columns = *columns;
+/// The sum, halves first. Of columns that are hidden from the compiler: a sum within sight lets it narrow the vectors that lead
+/// to it.
+#[inline(always)]
+pub(super) fn total<T: Real>(mut columns: [T; BLOCK]) -> T {
     let mut half = BLOCK / 2;
     while half > 0 {
         for k in 0..half {

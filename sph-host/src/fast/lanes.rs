@@ -3,18 +3,21 @@
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 use sph_core::Arithmetic;
+use sph_core::fluid::wcsph::Lane;
 
+use super::evaluate::total;
 use super::simd::{BLOCK, Real};
+use std::hint::black_box;
 
 /// N numbers, on each of which every operation works.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(align(64))]
-pub(super) struct Lanes<T, const N: usize>(pub(super) [T; N]);
+pub(crate) struct Lanes<T, const N: usize>(pub(crate) [T; N]);
 
 impl<T: Real, const N: usize> Lanes<T, N> {
     /// The same number N times.
     #[inline(always)]
-    pub(super) fn splat(value: T) -> Self {
+    pub(crate) fn splat(value: T) -> Self {
         Self([value; N])
     }
 
@@ -146,6 +149,36 @@ impl<T: Real, const N: usize> Arithmetic for Lanes<T, N> {
         self.each(
             #[inline(always)]
             |a| a.times(n),
+        )
+    }
+}
+
+/// Sixteen columns, whatever the width of a vector, so that every instruction set gives the same bits.
+impl<T: Real> Lane<T> for Lanes<T, BLOCK> {
+    type Sum = Self;
+    const EMPTY: Self = Self::ZERO;
+
+    #[inline(always)]
+    fn splat(value: T) -> Self {
+        Self([value; BLOCK])
+    }
+
+    #[inline(always)]
+    fn add_to(self, sum: &mut Self) {
+        *sum += self;
+    }
+
+    #[inline(always)]
+    fn total(sum: Self) -> T {
+        total(black_box(sum.0))
+    }
+
+    #[inline(always)]
+    fn where_above_zero(self, condition: Self) -> Self {
+        self.both(
+            condition,
+            #[inline(always)]
+            |a, condition| if condition > T::ZERO { a } else { T::ZERO },
         )
     }
 }

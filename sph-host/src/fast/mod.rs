@@ -20,6 +20,11 @@ mod simd;
 mod sort;
 mod sums;
 
+pub(crate) use collect::{Found, Span, collect};
+pub(crate) use evaluate::Evaluate;
+pub(crate) use lanes::Lanes;
+pub(crate) use simd::{BLOCK, Isa, Job};
+
 pub use fields::{Fields, Sums};
 pub use levels::Levels;
 pub use lists::NeighbourLists;

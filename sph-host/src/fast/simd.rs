@@ -9,7 +9,7 @@
 use sph_core::Scalar;
 
 /// Candidates that are looked at together.
-pub(super) const BLOCK: usize = 16;
+pub(crate) const BLOCK: usize = 16;
 
 /// The instruction set of one [`Job`].
 pub trait Isa<T>: Copy {
@@ -21,6 +21,26 @@ pub trait Isa<T>: Copy {
 
     /// Likewise the numbers `first`, `first + 1`, …
     fn pack_index(self, mask: u32, first: u32, out: &mut [u32; BLOCK]);
+
+    /// Likewise these numbers.
+    fn pack_places(self, mask: u32, places: &[u32; BLOCK], out: &mut [u32; BLOCK]);
+
+    /// Sixteen quadruples turned over: all the first numbers, all the second, …
+    #[inline(always)]
+    fn turn(self, quadruples: &[&[T; 4]; BLOCK]) -> [[T; BLOCK]; 4]
+    where
+        T: Copy,
+    {
+        std::array::from_fn(
+            #[inline(always)]
+            |number| {
+                std::array::from_fn(
+                    #[inline(always)]
+                    |k| quadruples[k][number],
+                )
+            },
+        )
+    }
 }
 
 /// Work that is compiled once for each instruction set.
@@ -139,6 +159,15 @@ impl<T: Real> Isa<T> for Baseline {
         let mut end = 0;
         for k in 0..BLOCK as u32 {
             out[end & (BLOCK - 1)] = first.wrapping_add(k);
+            end += (mask >> k & 1) as usize;
+        }
+    }
+
+    #[inline(always)]
+    fn pack_places(self, mask: u32, places: &[u32; BLOCK], out: &mut [u32; BLOCK]) {
+        let mut end = 0;
+        for k in 0..BLOCK {
+            out[end & (BLOCK - 1)] = places[k];
             end += (mask >> k & 1) as usize;
         }
     }

@@ -1,8 +1,9 @@
 //! AVX2 and AVX-512.
 
-use std::arch::x86_64::{__m256, __m256d, __m256i, __m512, __m512d, __m512i, _CMP_LT_OQ};
+use std::arch::x86_64::{__m128, __m256, __m256d, __m256i, __m512, __m512d, __m512i, _CMP_LT_OQ};
 use std::marker::PhantomData;
 
+use pulp::bytemuck::Pod;
 use pulp::x86::{V3, V4};
 use pulp::{Simd, WithSimd, cast};
 
@@ -134,6 +135,51 @@ fn pack_index_avx2(isa: V3, mask: u32, first: u32, out: &mut [u32; BLOCK]) {
     }
 }
 
+/// These numbers whose bit is set.
+#[inline(always)]
+fn pack_places_avx512(isa: V4, mask: u32, places: &[u32; BLOCK], out: &mut [u32; BLOCK]) {
+    *out = cast(isa.avx512f._mm512_maskz_compress_epi32(mask as u16, cast(*places)));
+}
+
+/// These numbers whose bit is set.
+#[inline(always)]
+fn pack_places_avx2(isa: V3, mask: u32, places: &[u32; BLOCK], out: &mut [u32; BLOCK]) {
+    for (at, mask, from) in [(0, mask, 0), ((mask & 0xff).count_ones(), mask >> 8, 8)] {
+        let lanes: __m256i = cast(LANES_OF_8[(mask & 0xff) as usize]);
+        let places: __m256i = cast(part::<u32, 8>(places, from));
+        put(out, at, cast::<_, [u32; 8]>(isa.avx2._mm256_permutevar8x32_epi32(places, lanes)));
+    }
+}
+
+/// `quadruple[at..at + N]`
+#[inline(always)]
+fn numbers<T: Copy, const N: usize>(quadruple: &[T; 4], at: usize) -> [T; N] {
+    std::array::from_fn(
+        #[inline(always)]
+        |k| quadruple[at + k],
+    )
+}
+
+/// 16 bytes, from number `at` on, of four quadruples that are `step` apart, one after another.
+#[inline(always)]
+fn join<T: Pod, const N: usize>(
+    isa: V4,
+    quadruples: &[&[T; 4]; BLOCK],
+    first: usize,
+    step: usize,
+    at: usize,
+) -> __m512
+where
+    [T; N]: Pod,
+{
+    let a: __m128 = cast(numbers::<T, N>(quadruples[first], at));
+    let b: __m128 = cast(numbers::<T, N>(quadruples[first + step], at));
+    let c: __m128 = cast(numbers::<T, N>(quadruples[first + 2 * step], at));
+    let d: __m128 = cast(numbers::<T, N>(quadruples[first + 3 * step], at));
+    let ab = isa.avx512f._mm512_insertf32x4::<1>(isa.avx512f._mm512_castps128_ps512(a), b);
+    isa.avx512f._mm512_insertf32x4::<3>(isa.avx512f._mm512_insertf32x4::<2>(ab, c), d)
+}
+
 impl Isa<f32> for V4 {
     #[inline(always)]
     fn below(self, squares: &[f32; BLOCK], limits: &[f32; BLOCK]) -> u32 {
@@ -149,6 +195,28 @@ impl Isa<f32> for V4 {
     #[inline(always)]
     fn pack_index(self, mask: u32, first: u32, out: &mut [u32; BLOCK]) {
         pack_index_avx512(self, mask, first, out);
+    }
+
+    #[inline(always)]
+    fn pack_places(self, mask: u32, places: &[u32; BLOCK], out: &mut [u32; BLOCK]) {
+        pack_places_avx512(self, mask, places, out);
+    }
+
+    #[inline(always)]
+    fn turn(self, quadruples: &[&[f32; 4]; BLOCK]) -> [[f32; BLOCK]; 4] {
+        let f = self.avx512f;
+        let a = join::<f32, 4>(self, quadruples, 0, 4, 0);
+        let b = join::<f32, 4>(self, quadruples, 1, 4, 0);
+        let c = join::<f32, 4>(self, quadruples, 2, 4, 0);
+        let d = join::<f32, 4>(self, quadruples, 3, 4, 0);
+        let (ab, cd) = (f._mm512_unpacklo_ps(a, b), f._mm512_unpacklo_ps(c, d));
+        let (ab_rest, cd_rest) = (f._mm512_unpackhi_ps(a, b), f._mm512_unpackhi_ps(c, d));
+        [
+            cast(f._mm512_shuffle_ps::<0x44>(ab, cd)),
+            cast(f._mm512_shuffle_ps::<0xee>(ab, cd)),
+            cast(f._mm512_shuffle_ps::<0x44>(ab_rest, cd_rest)),
+            cast(f._mm512_shuffle_ps::<0xee>(ab_rest, cd_rest)),
+        ]
     }
 }
 
@@ -174,6 +242,27 @@ impl Isa<f64> for V4 {
     #[inline(always)]
     fn pack_index(self, mask: u32, first: u32, out: &mut [u32; BLOCK]) {
         pack_index_avx512(self, mask, first, out);
+    }
+
+    #[inline(always)]
+    fn pack_places(self, mask: u32, places: &[u32; BLOCK], out: &mut [u32; BLOCK]) {
+        pack_places_avx512(self, mask, places, out);
+    }
+
+    #[inline(always)]
+    fn turn(self, quadruples: &[&[f64; 4]; BLOCK]) -> [[f64; BLOCK]; 4] {
+        let mut fields = [[0.0; BLOCK]; 4];
+        for half in [0, 8] {
+            for pair in [0, 2] {
+                let even: __m512d = cast(join::<f64, 2>(self, quadruples, half, 2, pair));
+                let odd: __m512d = cast(join::<f64, 2>(self, quadruples, half + 1, 2, pair));
+                let first: [f64; 8] = cast(self.avx512f._mm512_unpacklo_pd(even, odd));
+                let second: [f64; 8] = cast(self.avx512f._mm512_unpackhi_pd(even, odd));
+                fields[pair][half..half + 8].copy_from_slice(&first);
+                fields[pair + 1][half..half + 8].copy_from_slice(&second);
+            }
+        }
+        fields
     }
 }
 
@@ -201,6 +290,11 @@ impl Isa<f32> for V3 {
     #[inline(always)]
     fn pack_index(self, mask: u32, first: u32, out: &mut [u32; BLOCK]) {
         pack_index_avx2(self, mask, first, out);
+    }
+
+    #[inline(always)]
+    fn pack_places(self, mask: u32, places: &[u32; BLOCK], out: &mut [u32; BLOCK]) {
+        pack_places_avx2(self, mask, places, out);
     }
 }
 
@@ -232,5 +326,10 @@ impl Isa<f64> for V3 {
     #[inline(always)]
     fn pack_index(self, mask: u32, first: u32, out: &mut [u32; BLOCK]) {
         pack_index_avx2(self, mask, first, out);
+    }
+
+    #[inline(always)]
+    fn pack_places(self, mask: u32, places: &[u32; BLOCK], out: &mut [u32; BLOCK]) {
+        pack_places_avx2(self, mask, places, out);
     }
 }
