@@ -5,19 +5,31 @@ use crate::Arithmetic;
 /// x − y
 #[inline(always)]
 pub fn sub<T: Arithmetic, const D: usize>(x: &[T; D], y: &[T; D]) -> [T; D] {
-    core::array::from_fn(|axis| x[axis] - y[axis])
+    let mut difference = *x;
+    for axis in 0..D {
+        difference[axis] -= y[axis];
+    }
+    difference
 }
 
 /// x + y
 #[inline(always)]
 pub fn add<T: Arithmetic, const D: usize>(x: &[T; D], y: &[T; D]) -> [T; D] {
-    core::array::from_fn(|axis| x[axis] + y[axis])
+    let mut sum = *x;
+    for axis in 0..D {
+        sum[axis] += y[axis];
+    }
+    sum
 }
 
 /// s x
 #[inline(always)]
 pub fn scale<T: Arithmetic, const D: usize>(x: &[T; D], s: T) -> [T; D] {
-    x.map(|component| component * s)
+    let mut scaled = *x;
+    for axis in 0..D {
+        scaled[axis] = scaled[axis] * s;
+    }
+    scaled
 }
 
 /// x · y

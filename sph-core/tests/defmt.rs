@@ -4,7 +4,7 @@
 
 use sph_core::field::{LinearBasis, LinearFit};
 use sph_core::fluid::wcsph::{
-    Cells, Forces, Limits, Liquid, Particles, Scheme, Seen, Sequential, State, WallState,
+    Cells, Forces, Limits, Liquid, OneByOne, Pair, Particles, Scheme, Seen, Sequential, State,
 };
 use sph_core::fluid::{
     BorrowedFluid, Disc, EquationOfState, Mask, OpenBox, Particle, PositionBasedFluid, Raster, Rejected,
@@ -94,8 +94,9 @@ can_be_logged!(
     State<'static, T, 2>,
     Seen<T, 2>,
     Forces<T, 2>,
-    WallState<T, 2>,
-    Particles<'static, T, 2, Cells<'static, u16>>,
+    Pair<T, 2>,
+    OneByOne<Cells<'static, u16>, Sequential>,
+    Particles<'static, T, 2, OneByOne<Cells<'static, u16>, Sequential>>,
     Cells<'static, u16>,
     Sequential,
 );

@@ -40,7 +40,9 @@ fn first(
     fluid: usize,
 ) -> Forces<f64, 2> {
     let search = BruteForce::new(positions).unwrap();
-    scheme.forces(&search, &State { fluid, seen, drifts }, 0).unwrap()
+    let mut seen = seen.to_vec();
+    seen.iter_mut().zip(drifts).for_each(|(seen, &drift)| seen.drift = drift);
+    scheme.forces(&search, &State { fluid, seen: &seen }, 0).unwrap()
 }
 
 fn near(found: f64, expected: f64) {
@@ -165,8 +167,7 @@ fn a_wall_that_does_not_pull_does_not_thin_the_fluid() {
         [(3.0, 0.0, true), (3.0, 2.0, true), (-3.0, 2.0, true), (-3.0, 0.0, false)]
     {
         let seen = [particle([speed, 0.0], 1.5, pressure), particle([0.0; 2], 1.0, 0.0)];
-        let state = State { fluid: 1, seen: &seen, drifts: &STILL[..1] };
-        let rate = scheme.density_rate(&search, &state, &[Forces::NONE], 0).unwrap();
+        let rate = scheme.density_rate(&search, &State { fluid: 1, seen: &seen }, 0).unwrap();
         near(rate, if counts { MASS * speed * slope() } else { 0.0 });
     }
 }
@@ -178,12 +179,11 @@ fn a_linear_density_is_not_diffused_and_shifts_follow_it() {
     scheme.liquid.density_diffusion = 0.1;
     let search = BruteForce::new(&PAIR).unwrap();
     let gradient = [0.4, -0.3];
-    let seen = [particle([0.0; 2], 1.0, 0.0), particle([0.0; 2], 1.0 + 0.4 * PAIR[1][0], 0.0)];
-    let forces = [Forces { density_gradient: gradient, ..Forces::NONE }; 2];
+    let mut seen = [particle([0.0; 2], 1.0, 0.0), particle([0.0; 2], 1.0 + 0.4 * PAIR[1][0], 0.0)];
+    seen.iter_mut().for_each(|seen| seen.density_gradient = gradient);
     for drift in [[0.0; 2], [0.2, 0.5]] {
-        let drifts = [drift, [0.0; 2]];
-        let state = State { fluid: 2, seen: &seen, drifts: &drifts };
-        let rate = scheme.density_rate(&search, &state, &forces, 0).unwrap();
+        seen[0].drift = drift;
+        let rate = scheme.density_rate(&search, &State { fluid: 2, seen: &seen }, 0).unwrap();
         near(rate, drift[0] * gradient[0] + drift[1] * gradient[1]);
     }
 }

@@ -34,7 +34,8 @@ fn report(case: CaseName, resolutions: [u32; 3], column: &str) -> Result<(), Box
     let mut runs = Vec::new();
     for resolution in resolutions {
         let out = tempfile::tempdir()?;
-        let summary = run::run(&options(case, resolution, out.path()), &ProgressBar::hidden())?;
+        let options = Options { resolution: Some(resolution), ..Options::new(case, out.path().to_owned()) };
+        let summary = run::run(&options, &ProgressBar::hidden())?;
         runs.push((summary, read(out.path(), column)?));
     }
     for (k, check) in runs[0].0.checks.iter().enumerate() {
@@ -57,23 +58,6 @@ fn report(case: CaseName, resolutions: [u32; 3], column: &str) -> Result<(), Box
 
 fn cells(values: impl Iterator<Item = f64>) -> String {
     values.map(|value| format!("{value:.2e}")).collect::<Vec<_>>().join(" | ")
-}
-
-fn options(case: CaseName, resolution: u32, out: &Path) -> Options {
-    Options {
-        case,
-        solver: None,
-        dim: 2,
-        resolution: Some(resolution),
-        time: None,
-        scalar: None,
-        kernel: None,
-        out: out.to_owned(),
-        every: None,
-        resume: false,
-        force: false,
-        threads: None,
-    }
 }
 
 /// A column of the series without its first row, at which all errors are zero.

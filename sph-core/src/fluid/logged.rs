@@ -60,6 +60,6 @@ impl<I> Format for Cells<'_, I> {
 
 impl<T, const D: usize, S> Format for Particles<'_, T, D, S> {
     fn format(&self, f: Formatter<'_>) {
-        write!(f, "Particles, {=usize} fluid and {=usize} walls", self.forces.len(), self.walls.len());
+        write!(f, "Particles, {=usize} of {=usize} fluid", self.forces.len(), self.positions.len());
     }
 }

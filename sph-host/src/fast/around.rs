@@ -74,8 +74,7 @@ impl<T: Real, const D: usize> Around<T, D> {
             for axis in 0..D {
                 isa.pack(mask, sixteen(axes[axis], first), sixteen_mut(coordinates[axis], end));
             }
-            let numbers = std::array::from_fn(|k| block.first.wrapping_add(k as u32));
-            isa.pack_places(mask, &numbers, sixteen_mut(places, end));
+            isa.pack_places(mask, &block.places(), sixteen_mut(places, end));
             end += mask.count_ones() as usize;
         }
         for axis in &mut coordinates {

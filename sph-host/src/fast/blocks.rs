@@ -9,14 +9,25 @@ use super::simd::{BLOCK, Real};
 
 /// Sixteen consecutive particles, and a bit for each that counts.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct Block {
+pub(crate) struct Block {
     pub(super) first: u32,
     pub(super) mask: u32,
 }
 
+impl Block {
+    /// The places of its particles.
+    #[inline(always)]
+    pub(super) fn places(self) -> [u32; BLOCK] {
+        std::array::from_fn(
+            #[inline(always)]
+            |k| self.first.wrapping_add(k as u32),
+        )
+    }
+}
+
 /// Makes room for so many.
 #[inline(always)]
-pub(super) fn reserve<V: Clone + Default>(list: &mut Vec<V>, room: usize) {
+pub(crate) fn reserve<V: Clone + Default>(list: &mut Vec<V>, room: usize) {
     #[cold]
     fn grow<V: Clone + Default>(list: &mut Vec<V>, room: usize) {
         list.resize(2 * room, V::default());
@@ -28,13 +39,13 @@ pub(super) fn reserve<V: Clone + Default>(list: &mut Vec<V>, room: usize) {
 
 /// Sixteen numbers of a list from a place on, which must be there.
 #[inline(always)]
-pub(super) fn sixteen<V>(list: &[V], first: usize) -> &[V; BLOCK] {
+pub(crate) fn sixteen<V>(list: &[V], first: usize) -> &[V; BLOCK] {
     list[first..].first_chunk().expect("a block of padding")
 }
 
 /// As [`sixteen`], to be written.
 #[inline(always)]
-pub(super) fn sixteen_mut<V>(list: &mut [V], first: usize) -> &mut [V; BLOCK] {
+pub(crate) fn sixteen_mut<V>(list: &mut [V], first: usize) -> &mut [V; BLOCK] {
     list[first..].first_chunk_mut().expect("a block of padding")
 }
 

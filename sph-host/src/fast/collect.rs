@@ -62,8 +62,19 @@ impl<T: Real, const D: usize> Job<T> for Collect<'_, T, D> {
             let x = self.points.position(place);
             let last = candidates(self.cells, &x, &x, 0, blocks, first);
             reserve(squares, start + (last - first + 1) * BLOCK);
-            let blocks = &mut blocks[first..last];
-            let end = near(isa, self.cells, self.own_limits, &x, blocks, squares, start);
+            let (blocks, mut end) = (&mut blocks[first..last], start);
+            near(
+                isa,
+                self.cells,
+                self.own_limits,
+                &x,
+                blocks,
+                #[inline(always)]
+                |block, r2| {
+                    isa.pack(block.mask, r2, sixteen_mut(squares, end));
+                    end += block.mask.count_ones() as usize;
+                },
+            );
             spans.push(Span { start, count: end - start, blocks: last - first });
             *sixteen_mut(squares, end) = [T::MAX; BLOCK];
             (start, first) = (end.next_multiple_of(BLOCK), last);
@@ -72,8 +83,8 @@ impl<T: Real, const D: usize> Job<T> for Collect<'_, T, D> {
     }
 }
 
-/// Leaves of the candidates those with r² < h² about x, and lists their squares after the first `end`; returns where these end
-/// then. h is the cells' own, or each particle's where `own_limits` has their squares.
+/// Leaves of the candidates those with r² < h² about x, and hands over each block with its squares. h is the cells' own, or each
+/// particle's where `own_limits` has their squares.
 #[inline(always)]
 fn near<T: Real, const D: usize, I: Isa<T>>(
     isa: I,
@@ -81,9 +92,8 @@ fn near<T: Real, const D: usize, I: Isa<T>>(
     own_limits: Option<&[T]>,
     x: &[T; D],
     blocks: &mut [Block],
-    out: &mut [T],
-    mut end: usize,
-) -> usize {
+    mut take: impl FnMut(&Block, &[T; BLOCK]),
+) {
     let limit = [cells.radius * cells.radius; BLOCK];
     let axes = cells.sorted.padded();
     for block in blocks {
@@ -91,9 +101,35 @@ fn near<T: Real, const D: usize, I: Isa<T>>(
         let squares = squares(&axes, first, |axis, y| Lanes::splat(x[axis]) - y);
         let limit = own_limits.map_or(&limit, |limits| sixteen(limits, first));
         block.mask &= isa.below(&squares.0, limit);
-        isa.pack(block.mask, &squares.0, sixteen_mut(out, end));
-        end += block.mask.count_ones() as usize;
+        take(block, &squares.0);
     }
+}
+
+/// Lists the places of the particles with r² < h² about x, in the order of the cells, after the first `end`; returns where they end
+/// then. There is room for a block more.
+#[inline(always)]
+pub(crate) fn list_places<T: Real, const D: usize, I: Isa<T>>(
+    isa: I,
+    cells: &Cells<T, D>,
+    x: &[T; D],
+    blocks: &mut Vec<Block>,
+    places: &mut Vec<u32>,
+    mut end: usize,
+) -> usize {
+    let count = candidates(cells, x, x, 0, blocks, 0);
+    reserve(places, end + (count + 1) * BLOCK);
+    near(
+        isa,
+        cells,
+        None,
+        x,
+        &mut blocks[..count],
+        #[inline(always)]
+        |block, _| {
+            isa.pack_places(block.mask, &block.places(), sixteen_mut(places, end));
+            end += block.mask.count_ones() as usize;
+        },
+    );
     end
 }
 

@@ -27,18 +27,18 @@ fn slope<T: Real, K: Kernel, const D: usize>(q: T) -> T {
 }
 
 /// f(q) and f′(q) / q for many particles.
-pub(super) struct Evaluate<'a, T, K, const D: usize> {
+pub(crate) struct Evaluate<'a, T, K, const D: usize> {
     /// r²
-    pub(super) squares: &'a [T],
+    pub(crate) squares: &'a [T],
     /// 1 / h
-    pub(super) inverse: T,
+    pub(crate) inverse: T,
     /// 1 / h_j, where each has its own.
-    pub(super) inverses: Option<&'a [T]>,
+    pub(crate) inverses: Option<&'a [T]>,
     /// Overwritten: f(q).
-    pub(super) profiles: &'a mut [T],
+    pub(crate) profiles: &'a mut [T],
     /// Overwritten: f′(q) / q; empty where gradients are not wanted.
-    pub(super) slopes: &'a mut [T],
-    pub(super) kernel: PhantomData<K>,
+    pub(crate) slopes: &'a mut [T],
+    pub(crate) kernel: PhantomData<K>,
 }
 
 impl<T: Real, K: Kernel, const D: usize> Job<T> for Evaluate<'_, T, K, D> {
@@ -67,18 +67,21 @@ impl<T: Real, K: Kernel, const D: usize> Job<T> for Evaluate<'_, T, K, D> {
     }
 }
 
-/// The sum of each sixteen columns, halves first, whatever the width of a vector, so that every instruction set gives the same
-/// bits. Not inlined: a sum within sight lets the compiler narrow the vectors that lead to it.
+/// The sum of each sixteen columns. Not inlined: a sum within sight lets the compiler narrow the vectors that lead to it.
 #[inline(never)]
 pub(super) fn totals<T: Real, const M: usize>(columns: &[[T; BLOCK]; M]) -> [T; M] {
-    columns.map(|mut columns| {
-        let mut half = BLOCK / 2;
-        while half > 0 {
-            for k in 0..half {
-                columns[k] += columns[k + half];
-            }
-            half /= 2;
+    columns.map(total)
+}
+
+/// The sum of sixteen columns, halves first, whatever the width of a vector, so that every instruction set gives the same bits.
+#[inline(always)]
+pub(super) fn total<T: Real>(mut columns: [T; BLOCK]) -> T {
+    let mut half = BLOCK / 2;
+    while half > 0 {
+        for k in 0..half {
+            columns[k] += columns[k + half];
         }
-        columns[0]
-    })
+        half /= 2;
+    }
+    columns[0]
 }

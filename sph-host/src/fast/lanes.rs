@@ -1,20 +1,23 @@
 //! Sixteen numbers at once: the type that sph-core's kernels are evaluated on here.
 
+use std::hint::black_box;
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 use sph_core::Arithmetic;
+use sph_core::fluid::wcsph::Lane;
 
+use super::evaluate::total;
 use super::simd::{BLOCK, Real};
 
 /// Sixteen numbers, on each of which every operation works.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(align(64))]
-pub(super) struct Lanes<T>(pub(super) [T; BLOCK]);
+pub(crate) struct Lanes<T>(pub(crate) [T; BLOCK]);
 
 impl<T: Real> Lanes<T> {
     /// The same number sixteen times.
     #[inline(always)]
-    pub(super) fn splat(value: T) -> Self {
+    pub(crate) fn splat(value: T) -> Self {
         Self([value; BLOCK])
     }
 
@@ -131,6 +134,36 @@ impl<T: Real> Arithmetic for Lanes<T> {
         self.each(
             #[inline(always)]
             |a| a.times(n),
+        )
+    }
+}
+
+/// Sums in sixteen columns.
+impl<T: Real> Lane<T> for Lanes<T> {
+    type Sum = Self;
+    const EMPTY: Self = Self::ZERO;
+
+    #[inline(always)]
+    fn splat(value: T) -> Self {
+        Self([value; BLOCK])
+    }
+
+    #[inline(always)]
+    fn add_to(self, sum: &mut Self) {
+        *sum += self;
+    }
+
+    #[inline(always)]
+    fn total(sum: Self) -> T {
+        total(black_box(sum.0))
+    }
+
+    #[inline(always)]
+    fn where_above_zero(self, condition: Self) -> Self {
+        self.both(
+            condition,
+            #[inline(always)]
+            |a, condition| if condition > T::ZERO { a } else { T::ZERO },
         )
     }
 }

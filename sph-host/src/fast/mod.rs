@@ -23,6 +23,12 @@ mod simd;
 mod sort;
 mod sums;
 
+pub(crate) use blocks::{Block, reserve, sixteen_mut};
+pub(crate) use collect::list_places;
+pub(crate) use evaluate::Evaluate;
+pub(crate) use lanes::Lanes;
+pub(crate) use simd::{BLOCK, Isa, Job};
+
 pub use fields::{Fields, Sums};
 pub use levels::Levels;
 pub use lists::NeighbourLists;

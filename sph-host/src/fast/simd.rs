@@ -9,7 +9,7 @@
 use sph_core::Scalar;
 
 /// Candidates that are looked at together.
-pub(super) const BLOCK: usize = 16;
+pub(crate) const BLOCK: usize = 16;
 
 /// The instruction set of one [`Job`].
 pub trait Isa<T>: Copy {
@@ -21,6 +21,23 @@ pub trait Isa<T>: Copy {
 
     /// Likewise places.
     fn pack_places(self, mask: u32, places: &[u32; BLOCK], out: &mut [u32; BLOCK]);
+
+    /// Sixteen quadruples turned over: all the first numbers, all the second, …
+    #[inline(always)]
+    fn turn(self, quadruples: &[&[T; 4]; BLOCK]) -> [[T; BLOCK]; 4]
+    where
+        T: Copy,
+    {
+        std::array::from_fn(
+            #[inline(always)]
+            |number| {
+                std::array::from_fn(
+                    #[inline(always)]
+                    |k| quadruples[k][number],
+                )
+            },
+        )
+    }
 }
 
 /// Work that is compiled once for each instruction set.
@@ -145,6 +162,8 @@ fn pack<V: Copy>(mask: u32, values: &[V; BLOCK], out: &mut [V; BLOCK]) {
     }
 }
 
+#[cfg(target_arch = "x86_64")]
+mod turn;
 #[cfg(target_arch = "x86_64")]
 mod x86;
 

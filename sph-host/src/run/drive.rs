@@ -3,9 +3,7 @@
 use std::time::Instant;
 
 use indicatif::ProgressBar;
-use sph_core::kernel::WendlandC2;
 use sph_core::scalar::compact::Compact;
-use sph_core::{KernelInfluence, Scalar};
 
 use super::Solver;
 use super::case::Case;
@@ -15,7 +13,7 @@ use super::series::{Check, Series};
 use super::setup::Setup;
 use super::simulation::{Lost, Simulate, Simulation, Snapshot};
 use crate::failure::Failure;
-use crate::kernel_choice::{AnyInfluence, KernelName};
+use crate::kernel_choice::KernelName;
 use crate::output::Precision;
 use crate::scalar_choice::{ScalarName, with_scalar};
 
@@ -53,8 +51,10 @@ impl<'a, const D: usize> Drive<'a, D> {
     pub(super) fn new(case: &'a dyn Case<D>, means: Means, every: f64) -> Result<Self, Failure> {
         let setup = case.setup();
         let simulation: Box<dyn Simulate<D>> = match (means.solver, means.scalar) {
-            (Solver::Wcsph, ScalarName::F32) => weakly_compressible::<f32, D>(&setup, means.kernel)?,
-            (Solver::Wcsph, _) => weakly_compressible::<f64, D>(&setup, means.kernel)?,
+            (Solver::Wcsph, ScalarName::F32) => {
+                Box::new(Simulation::<f32, D>::new(&setup, means.kernel).map_err(refused)?)
+            }
+            (Solver::Wcsph, _) => Box::new(Simulation::<f64, D>::new(&setup, means.kernel).map_err(refused)?),
             (Solver::Pbf, scalar) => {
                 let size = case.inside().map(|(_, upper)| upper);
                 let interval = every / ROWS_A_FRAME as f64;
@@ -178,23 +178,6 @@ impl<'a, const D: usize> Drive<'a, D> {
         let time = self.series.rows.last().map_or(0.0, |row| row[0]);
         Failure::input(format!("the run failed after {time} s: {error}"))
     }
-}
-
-/// A liquid in scalar T. The usual kernel is known to the compiler, the others are chosen pair by pair: the same bits either way.
-fn weakly_compressible<T: Scalar, const D: usize>(
-    setup: &Setup<D>,
-    kernel: KernelName,
-) -> Result<Box<dyn Simulate<D>>, Failure> {
-    Ok(match kernel {
-        KernelName::WendlandC2 => {
-            let influence = KernelInfluence::<T, D, WendlandC2>::new;
-            Box::new(Simulation::new(setup, influence).map_err(refused)?)
-        }
-        other => {
-            let influence = |support| AnyInfluence::<T, D>::new(other, support);
-            Box::new(Simulation::new(setup, influence).map_err(refused)?)
-        }
-    })
 }
 
 fn position_based<T: Compact, const D: usize>(

@@ -11,13 +11,16 @@ mod drive;
 mod folder;
 mod frame;
 mod measure;
+mod near;
 mod pbf;
+mod records;
 mod reference;
 mod rows;
 mod series;
 mod setup;
 mod simulation;
 mod summary;
+mod sums;
 #[cfg(test)]
 mod tests;
 
@@ -165,6 +168,25 @@ pub fn run(options: &Options, progress: &ProgressBar) -> Result<Summary, Failure
 }
 
 impl Options {
+    /// A case as it is usually simulated.
+    #[must_use]
+    pub fn new(case: CaseName, out: PathBuf) -> Self {
+        Self {
+            case,
+            solver: None,
+            dim: 2,
+            resolution: None,
+            time: None,
+            scalar: None,
+            kernel: None,
+            out,
+            every: None,
+            resume: false,
+            force: false,
+            threads: None,
+        }
+    }
+
     /// What is simulated with, where the options do not contradict each other.
     fn means(&self) -> Result<Means, Failure> {
         let usual = if self.case == CaseName::Tilt { Solver::Pbf } else { Solver::Wcsph };

@@ -1,226 +1,273 @@
-//! Neighbours from rows that are kept for several steps: all particles within the support radius and a margin, listed anew when
+//! Rows of candidates that are kept for several steps: all particles within the support radius and a margin, listed anew when
 //! one has moved by half the margin.
 //!
-//! Where an axis is periodic, particles are sorted into cells every time instead: an image is no particle that a row could name.
+//! Along a periodic axis, particles near its ends have images beyond the other end: records of their own, which follow the
+//! particle for as long as the rows are kept.
 
 use rayon::prelude::*;
-use sph_core::fluid::wcsph::{Pairs, Search};
-use sph_core::vector::{norm_squared, sub};
-use sph_core::{CellGrid, CellLayout, Error, Neighbour, Neighbours, Scalar};
+use sph_core::vector::{add, norm_squared, sub};
+use sph_core::{Axis, Domain, Error};
+
+use crate::fast::{BLOCK, Block, Cells, Isa, Job, Level, Real, list_places, sixteen_mut};
 
 /// The margin over the support radius. Wider, rows last longer and each look at them takes longer.
-pub(super) const MARGIN: f64 = 0.12;
+const MARGIN: f64 = 0.12;
 
 /// Particles whose rows are kept together.
-const SHARE: usize = 256;
+pub(super) const SHARE: usize = 256;
 
-/// Candidates that are looked at together: first all distances, without a branch, then what is near.
-const BATCH: usize = 64;
-
-/// Finds neighbours, in the way that suits the domain.
-pub(super) struct Finder<T, const D: usize> {
-    starts: Vec<u32>,
-    entries: Vec<u32>,
-    /// None where an axis is periodic.
-    rows: Option<Rows<T, D>>,
-}
-
-/// Rows of candidates.
-struct Rows<T, const D: usize> {
-    support: T,
+/// Rows of the fluid, and of the walls that have fluid near.
+pub(super) struct Rows<T, const D: usize> {
+    domain: Domain<T, D>,
+    /// The support radius with the margin.
+    reach: T,
+    /// How far a particle may move before rows are listed anew.
+    slack: T,
     /// Where the fluid was when the rows were listed; empty when they are to be listed anew. Walls do not move.
     listed_at: Vec<[T; D]>,
-    shares: Vec<Share>,
+    walls: Crowd<T, D>,
+    /// Where the images of walls are among the records, and after them those of the fluid.
+    pub(super) images: Vec<Image<T, D>>,
+    /// How many of them are of walls.
+    pub(super) wall_images: usize,
+    pub(super) of_fluid: Vec<Share>,
+    pub(super) of_walls: Vec<Share>,
+    /// The records of walls that have fluid near, to each of which a row of `of_walls` belongs.
+    pub(super) wet: Vec<u32>,
+    /// The record of nobody.
+    pub(super) nobody: u32,
+    level: Level,
 }
 
-/// The rows of [`SHARE`] particles: that of the k-th ends at `ends[k]`.
+/// A particle again, elsewhere.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Image<T, const D: usize> {
+    /// The record of the particle.
+    pub(super) of: u32,
+    pub(super) shift: [T; D],
+}
+
+/// Particles that are candidates together, with their images.
+struct Crowd<T, const D: usize> {
+    cells: Cells<T, D>,
+    /// The record of each, in the order of the cells.
+    records: Vec<u32>,
+}
+
+/// The rows of [`SHARE`] particles: candidates from the fluid, then from the walls, each filled up to whole blocks with nobody.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Share {
-    ends: Vec<u32>,
+    ends: Vec<[usize; 2]>,
     candidates: Vec<u32>,
 }
 
-/// The neighbours at one time.
-pub(super) enum Found<'a, T, const D: usize> {
-    Rows { positions: &'a [[T; D]], shares: &'a [Share] },
-    Cells(CellGrid<'a, T, u32, D>),
+impl Share {
+    /// How many rows there are.
+    pub(super) fn len(&self) -> usize {
+        self.ends.len()
+    }
+
+    /// The candidates of the k-th particle in blocks: from the fluid, from the walls.
+    #[inline(always)]
+    pub(super) fn row(&self, k: usize) -> [&[[u32; BLOCK]]; 2] {
+        let first = if k == 0 { 0 } else { self.ends[k - 1][1] };
+        let [middle, last] = self.ends[k];
+        [self.candidates[first..middle].as_chunks().0, self.candidates[middle..last].as_chunks().0]
+    }
 }
 
-impl<T: Scalar, const D: usize> Finder<T, D> {
-    /// For so many particles and cells; by rows for a support radius, else by cells alone.
-    pub(super) fn new(particles: usize, cells: usize, rows_for: Option<T>) -> Self {
-        let rows = |support| Rows { support, listed_at: Vec::new(), shares: Vec::new() };
-        Self { starts: vec![0; cells + 1], entries: vec![0; particles], rows: rows_for.map(rows) }
+impl<T: Real, const D: usize> Rows<T, D> {
+    /// For walls that stand still after so many fluid particles.
+    pub(super) fn new(
+        domain: Domain<T, D>,
+        support: T,
+        fluid: usize,
+        walls: &[[T; D]],
+    ) -> Result<Self, Error> {
+        let reach = support * T::from_f64(1.0 + MARGIN);
+        let mut images = Vec::new();
+        let nobody = fluid + walls.len();
+        let walls = Crowd::new(&domain, reach, walls, fluid, nobody + 1, &mut images)?;
+        Ok(Self {
+            domain,
+            reach,
+            slack: support * T::from_f64(0.499 * MARGIN),
+            listed_at: Vec::new(),
+            walls,
+            wall_images: images.len(),
+            images,
+            of_fluid: Vec::new(),
+            of_walls: Vec::new(),
+            wet: Vec::new(),
+            nobody: nobody as u32,
+            level: Level::best(),
+        })
+    }
+
+    /// The same with the code of another instruction set.
+    #[cfg(test)]
+    pub(super) fn at_level(self, level: Level) -> Self {
+        Self { level, ..self }
     }
 
     /// Has rows listed anew: particles have changed places.
     pub(super) fn forget(&mut self) {
-        if let Some(rows) = &mut self.rows {
-            rows.listed_at.clear();
-        }
-    }
-
-    /// The numbers of particles in the order of their cells, by number within a cell.
-    pub(super) fn order(
-        &mut self,
-        layout: &CellLayout<T, D>,
-        positions: &[[T; D]],
-    ) -> Result<Vec<u32>, Error> {
-        let grid = CellGrid::build(*layout, positions, &mut self.starts, &mut self.entries)?;
-        Ok(grid.entries().to_vec())
-    }
-}
-
-impl<T: Scalar, const D: usize> Rows<T, D> {
-    fn have_lasted(&self, positions: &[[T; D]]) -> bool {
-        let most = self.support * T::from_f64(0.499 * MARGIN);
-        let near = |(x, at): (&[T; D], &[T; D])| norm_squared(&sub(x, at)) < most * most;
-        !self.listed_at.is_empty() && positions.par_iter().zip(&self.listed_at).all(near)
-    }
-
-    /// Lists the rows of the fluid, and those of walls that have fluid near: walls see nothing else.
-    fn list(&mut self, grid: &CellGrid<T, u32, D>, fluid: usize) {
-        let positions = grid.positions();
-        let reach = self.support * T::from_f64(1.0 + MARGIN);
-        self.shares.resize(positions.len().div_ceil(SHARE), Share::default());
-        let wet_from = fluid.div_ceil(SHARE);
-        let (of_fluid, of_walls) = self.shares.split_at_mut(wet_from);
-        let all = |_: usize, _: usize| true;
-        of_fluid.par_iter_mut().enumerate().for_each(|(k, share)| share.list(grid, reach, k, all));
-        let mut is_wet = vec![false; positions.len()];
-        for &candidate in of_fluid.iter().flat_map(|share| &share.candidates) {
-            is_wet[candidate as usize] = true;
-        }
-        let wet = |i: usize, j: usize| is_wet[i] && j < fluid;
-        of_walls.par_iter_mut().enumerate().for_each(|(k, share)| share.list(grid, reach, wet_from + k, wet));
         self.listed_at.clear();
-        self.listed_at.extend_from_slice(&positions[..fluid]);
-    }
-}
-
-impl Share {
-    /// Lists the rows of share number k: of particle i all j that `wanted(i, j)`, asked with j = 0 before anything is searched.
-    fn list<T: Scalar, const D: usize>(
-        &mut self,
-        grid: &CellGrid<T, u32, D>,
-        reach: T,
-        k: usize,
-        wanted: impl Fn(usize, usize) -> bool,
-    ) {
-        self.ends.clear();
-        self.candidates.clear();
-        for (i, x) in grid.positions().iter().enumerate().skip(k * SHARE).take(SHARE) {
-            if wanted(i, 0) {
-                grid.for_each(x, reach, |neighbour| {
-                    if wanted(i, neighbour.index) {
-                        self.candidates.push(neighbour.index as u32);
-                    }
-                });
-            }
-            self.ends.push(self.candidates.len() as u32);
-        }
     }
 
+    /// The numbers of fluid particles in the order of their cells, by number within a cell.
+    pub(super) fn order(&self, fluid: &[[T; D]]) -> Result<Vec<u32>, Error> {
+        Ok(Cells::sort(fluid, self.reach)?.order().to_vec())
+    }
+
+    /// Where a particle is on the side where it was when the rows were listed.
     #[inline(always)]
-    fn row(&self, i: usize) -> &[u32] {
-        let end = |k: usize| self.ends.get(k).map_or(0, |&end| end as usize);
-        let first = if i == 0 { 0 } else { end(i - 1) };
-        self.candidates.get(first..end(i)).unwrap_or_default()
+    pub(super) fn unwrapped(&self, k: usize, x: &[T; D]) -> [T; D] {
+        unwrapped(&self.domain, x, &self.listed_at[k])
     }
-}
 
-impl<T: Scalar, const D: usize> Search<T, D> for Finder<T, D> {
-    type Found<'a>
-        = Found<'a, T, D>
-    where
-        Self: 'a;
-
-    fn find<'a>(
-        &'a mut self,
-        layout: &CellLayout<T, D>,
-        positions: &'a [[T; D]],
-        fluid: usize,
-    ) -> Result<Found<'a, T, D>, Error> {
-        let Some(rows) = &mut self.rows else {
-            return Ok(Found::Cells(CellGrid::build(
-                *layout,
-                positions,
-                &mut self.starts,
-                &mut self.entries,
-            )?));
-        };
-        if !rows.have_lasted(positions) {
-            let grid = CellGrid::build(*layout, positions, &mut self.starts, &mut self.entries)?;
-            rows.list(&grid, fluid);
+    /// Lists rows anew where that is needed, and says whether it was.
+    pub(super) fn update(&mut self, fluid: &[[T; D]], walls: &[[T; D]]) -> Result<bool, Error> {
+        let (slack, domain) = (self.slack * self.slack, &self.domain);
+        let near = |(x, at): (&[T; D], &[T; D])| norm_squared(&sub(&unwrapped(domain, x, at), at)) < slack;
+        if !self.listed_at.is_empty() && fluid.par_iter().with_min_len(1024).zip(&self.listed_at).all(near) {
+            return Ok(false);
         }
-        Ok(Found::Rows { positions, shares: &rows.shares })
+        self.images.truncate(self.wall_images);
+        let first_image = fluid.len() + walls.len() + 1 + self.wall_images;
+        let crowd = Crowd::new(&self.domain, self.reach, fluid, 0, first_image, &mut self.images)?;
+        let nobody = self.nobody;
+        list(&mut self.of_fluid, self.level, nobody, fluid, &[&crowd, &self.walls]);
+        self.find_wet(fluid.len(), walls.len());
+        let wet: Vec<[T; D]> = self.wet.iter().map(|&wall| walls[wall as usize - fluid.len()]).collect();
+        list(&mut self.of_walls, self.level, nobody, &wet, &[&crowd]);
+        self.listed_at.clear();
+        self.listed_at.extend_from_slice(fluid);
+        Ok(true)
     }
-}
 
-impl<T: Scalar, const D: usize> Pairs<T, D> for Found<'_, T, D> {
-    #[inline(always)]
-    fn for_each_of(&self, i: usize, radius: T, mut visit: impl FnMut(Neighbour<T, D>)) {
-        match self {
-            Self::Cells(grid) => grid.for_each_of(i, radius, visit),
-            Self::Rows { positions, shares } => {
-                let (Some(x), Some(share)) = (positions.get(i), shares.get(i / SHARE)) else { return };
-                let radius_squared = radius * radius;
-                let mut near =
-                    [Neighbour { index: 0, offset: [T::ZERO; D], distance_squared: T::ZERO }; BATCH];
-                for candidates in share.row(i % SHARE).chunks(BATCH) {
-                    let mut count = 0;
-                    for &index in candidates {
-                        let index = index as usize;
-                        let Some(position) = positions.get(index) else { continue };
-                        let offset = sub(x, position);
-                        let distance_squared = norm_squared(&offset);
-                        near[count % BATCH] = Neighbour { index, offset, distance_squared };
-                        count += usize::from(distance_squared < radius_squared);
+    /// Finds the walls that are candidates of the fluid, themselves or by an image.
+    fn find_wet(&mut self, fluid: usize, walls: usize) {
+        let mut is_wet = vec![false; walls];
+        for share in &self.of_fluid {
+            for k in 0..share.len() {
+                for &record in share.row(k)[1].as_flattened() {
+                    let record = record as usize;
+                    let image = record.checked_sub(fluid + walls + 1).map(|image| &self.images[image]);
+                    let wall = image.map_or(record, |image| image.of as usize) - fluid;
+                    if let Some(wet) = is_wet.get_mut(wall) {
+                        *wet = true;
                     }
-                    near.iter().take(count).for_each(|neighbour| visit(*neighbour));
                 }
             }
         }
+        self.wet.clear();
+        self.wet.extend((0..walls).filter(|&wall| is_wet[wall]).map(|wall| (fluid + wall) as u32));
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::run::setup::{cells, centre, jittered};
-
-    fn found(pairs: &impl Pairs<f64, 2>, i: usize) -> Vec<usize> {
-        let mut found = Vec::new();
-        pairs.for_each_of(i, 0.25, |neighbour| found.push(neighbour.index));
-        found.sort_unstable();
-        found
-    }
-
-    #[test]
-    fn rows_find_what_cells_find_while_particles_move() {
-        let mut positions: Vec<[f64; 2]> =
-            cells([0; 2], [40, 20]).iter().map(|cell| centre(cell, 0.1)).collect();
-        let fluid = 600; // the rest are walls and stand still
-        let layout = CellLayout::bounded(&[-1.0; 2], &[5.0, 3.0], [21, 14]).unwrap();
-        let mut rows = Finder::new(positions.len(), layout.cells(), Some(0.25));
-        let mut cells = Finder::new(positions.len(), layout.cells(), None);
-        for step in 0..12 {
-            for (i, x) in positions.iter_mut().take(fluid).enumerate() {
-                *x = jittered(i + 1000 * step, *x, 0.004);
-            }
-            let (rows, cells) = (
-                rows.find(&layout, &positions, fluid).unwrap(),
-                cells.find(&layout, &positions, fluid).unwrap(),
-            );
-            for i in 0..positions.len() {
-                let [found, expected] = [found(&rows, i), found(&cells, i)].map(|mut list| {
-                    list.retain(|&j| i < fluid || j < fluid);
-                    list
-                });
-                assert_eq!(found, expected, "particle {i} in step {step}");
+impl<T: Real, const D: usize> Crowd<T, D> {
+    /// Particles whose records begin at `first`, and their images, whose records begin at `first_image`.
+    fn new(
+        domain: &Domain<T, D>,
+        reach: T,
+        particles: &[[T; D]],
+        first: usize,
+        first_image: usize,
+        images: &mut Vec<Image<T, D>>,
+    ) -> Result<Self, Error> {
+        let old = images.len();
+        let mut all = particles.to_vec();
+        for (axis, kind) in domain.axes().iter().enumerate() {
+            let Axis::Periodic { lower, length } = *kind else { continue };
+            for k in 0..all.len() {
+                let x = all[k][axis];
+                for (is_near, period) in [(x < lower + reach, length), (x > lower + length - reach, -length)]
+                {
+                    if is_near {
+                        let mut image = match k.checked_sub(particles.len()) {
+                            None => Image { of: (first + k) as u32, shift: [T::ZERO; D] },
+                            Some(image) => images[old + image],
+                        };
+                        image.shift[axis] = period;
+                        images.push(image);
+                        all.push(add(&particles[image.of as usize - first], &image.shift));
+                    }
+                }
             }
         }
-        positions[5][0] = f64::NAN;
-        assert!(rows.find(&layout, &positions, fluid).is_err());
+        let cells = Cells::sort(&all, reach)?;
+        let record = |&place: &u32| match (place as usize).checked_sub(particles.len()) {
+            None => first as u32 + place,
+            Some(image) => (first_image + image) as u32,
+        };
+        Ok(Self { records: cells.order().iter().map(record).collect(), cells })
+    }
+}
+
+#[inline(always)]
+fn unwrapped<T: Real, const D: usize>(domain: &Domain<T, D>, x: &[T; D], at: &[T; D]) -> [T; D] {
+    std::array::from_fn(|axis| match domain.axes()[axis] {
+        Axis::Open => x[axis],
+        Axis::Periodic { length, .. } => {
+            let (moved, half) = (x[axis] - at[axis], length * T::ratio(1, 2));
+            if moved > half {
+                x[axis] - length
+            } else if moved < -half {
+                x[axis] + length
+            } else {
+                x[axis]
+            }
+        }
+    })
+}
+
+/// Lists the rows of particles at `positions` in shares.
+fn list<T: Real, const D: usize>(
+    shares: &mut Vec<Share>,
+    level: Level,
+    nobody: u32,
+    positions: &[[T; D]],
+    crowds: &[&Crowd<T, D>],
+) {
+    shares.resize(positions.len().div_ceil(SHARE), Share::default());
+    shares.par_iter_mut().zip(positions.par_chunks(SHARE)).for_each(|(share, positions)| {
+        T::dispatch(level, List { share, nobody, positions, crowds });
+    });
+}
+
+/// Lists the rows of a share.
+struct List<'a, T, const D: usize> {
+    share: &'a mut Share,
+    nobody: u32,
+    positions: &'a [[T; D]],
+    crowds: &'a [&'a Crowd<T, D>],
+}
+
+impl<T: Real, const D: usize> Job<T> for List<'_, T, D> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<I: Isa<T>>(self, isa: I) {
+        let Self { share: Share { ends: share_ends, candidates }, nobody, positions, crowds } = self;
+        let mut blocks: Vec<Block> = Vec::new();
+        share_ends.clear();
+        let mut end = 0;
+        for x in positions {
+            let mut ends = [0; 2];
+            for part in 0..2 {
+                if let Some(crowd) = crowds.get(part) {
+                    let first = end;
+                    end = list_places(isa, &crowd.cells, x, &mut blocks, candidates, first);
+                    for place in &mut candidates[first..end] {
+                        *place = crowd.records[*place as usize];
+                    }
+                    *sixteen_mut(candidates, end) = [nobody; BLOCK];
+                    end = end.next_multiple_of(BLOCK);
+                }
+                ends[part] = end;
+            }
+            share_ends.push(ends);
+        }
     }
 }

@@ -1,23 +1,14 @@
 //! A liquid on threads: the core's slices with `Vec`s behind them.
 
-use rayon::prelude::*;
-use sph_core::fluid::wcsph::{Executor, Forces, Limits, Particles, Scheme, Seen, WallState};
-use sph_core::{CellLayout, Error, Influence, Scalar};
+use sph_core::fluid::wcsph::{Forces, Limits, Particles, Scheme, Seen};
+use sph_core::{CellLayout, Error, Scalar};
 
-use super::rows::{Finder, MARGIN};
+use super::near::Weight;
+use super::rows::Rows;
 use super::setup::Setup;
-
-/// Spread over rayon's threads.
-struct Threads;
-
-/// Particles that a thread takes at least.
-const SHARE: usize = 64;
-
-impl Executor for Threads {
-    fn fill<U: Send>(&self, out: &mut [U], f: impl Fn(usize) -> U + Sync) {
-        out.par_iter_mut().with_min_len(SHARE).enumerate().for_each(|(i, slot)| *slot = f(i));
-    }
-}
+use super::sums::Sums;
+use crate::fast::Real;
+use crate::kernel_choice::{AnyInfluence, KernelName};
 
 /// The fluid at one time, in f64 whatever it is computed in.
 #[derive(Clone, Debug)]
@@ -57,8 +48,8 @@ pub(super) trait Simulate<const D: usize> {
 }
 
 /// A weakly compressible liquid in scalar T, its fluid kept in the order of cells.
-pub(super) struct Simulation<T, const D: usize, W> {
-    scheme: Scheme<T, D, W>,
+pub(super) struct Simulation<T, const D: usize> {
+    scheme: Scheme<T, D, AnyInfluence<T, D>>,
     limits: Limits<T>,
     gravity: fn(f64) -> [f64; D],
     time: f64,
@@ -70,42 +61,31 @@ pub(super) struct Simulation<T, const D: usize, W> {
     positions: Vec<[T; D]>,
     velocities: Vec<[T; D]>,
     densities: Vec<T>,
-    pressures: Vec<T>,
     forces: Vec<Forces<T, D>>,
-    drifts: Vec<[T; D]>,
     rates: Vec<T>,
-    walls: Vec<WallState<T, D>>,
     seen: Vec<Seen<T, D>>,
-    finder: Finder<T, D>,
+    sums: Sums<T, D>,
 }
 
 /// Steps from sorting to sorting.
 const SORT_EVERY: u32 = 64;
 
-impl<T: Scalar, const D: usize, W: Influence<T, D> + Copy + Sync> Simulation<T, D, W> {
-    /// The fluid of a setup, ready for its first step; `influence` makes W for a support radius.
-    pub(super) fn new(
-        setup: &Setup<D>,
-        influence: impl FnOnce(T) -> Result<W, Error>,
-    ) -> Result<Self, Error> {
+impl<T: Real, const D: usize> Simulation<T, D> {
+    /// The fluid of a setup, ready for its first step.
+    pub(super) fn new(setup: &Setup<D>, kernel: KernelName) -> Result<Self, Error> {
         let liquid = setup.liquid::<T>()?;
-        let support = setup.reach * setup.spacing;
-        let by_rows = !setup.periodic.contains(&true);
+        let support = T::from_f64(setup.reach * setup.spacing);
         let scheme = Scheme {
             liquid,
-            influence: influence(T::from_f64(support))?,
-            layout: layout(setup, if by_rows { support * (1.0 + MARGIN) } else { support })?,
+            influence: AnyInfluence::new(kernel, support)?,
+            layout: layout(setup, support.to_f64())?,
             mass: T::from_f64(setup.mass()),
         };
-        let (fluid, walls) = (setup.positions.len(), setup.walls.len());
         let narrow = |vector: &[f64; D]| vector.map(T::from_f64);
-        let rest = WallState {
-            pressure: T::ZERO,
-            density: liquid.equation_of_state.rest_density(),
-            velocity: [T::ZERO; D],
-        };
+        let walls: Vec<[T; D]> = setup.walls.iter().map(narrow).collect();
+        let fluid = setup.positions.len();
+        let rows = Rows::new(*scheme.layout.domain(), support, fluid, &walls)?;
         let of_pressure = |&pressure: &f64| liquid.equation_of_state.density(T::from_f64(pressure));
-        let rows_for = by_rows.then_some(T::from_f64(support));
         let mut simulation = Self {
             scheme,
             limits: setup.limits(),
@@ -114,33 +94,27 @@ impl<T: Scalar, const D: usize, W: Influence<T, D> + Copy + Sync> Simulation<T, 
             steps: 0,
             unsorted: 0,
             ids: (0..fluid as u32).collect(),
-            positions: setup.positions.iter().chain(&setup.walls).map(narrow).collect(),
+            seen: vec![Seen::NONE; fluid + walls.len()],
+            positions: setup.positions.iter().map(narrow).chain(walls).collect(),
             velocities: setup.velocities.iter().map(narrow).collect(),
             densities: setup.pressures.iter().map(of_pressure).collect(),
-            pressures: vec![T::ZERO; fluid],
             forces: vec![Forces::NONE; fluid],
-            drifts: vec![[T::ZERO; D]; fluid],
             rates: vec![T::ZERO; fluid],
-            walls: vec![rest; walls],
-            seen: vec![Seen::NONE; fluid + walls],
-            finder: Finder::new(fluid + walls, scheme.layout.cells(), rows_for),
+            sums: Sums::new(rows, Weight::new::<D>(kernel, support)),
         };
         simulation.prepare()?;
         Ok(simulation)
     }
 
-    fn particles(&mut self) -> (Scheme<T, D, W>, Particles<'_, T, D, &mut Finder<T, D>>) {
+    fn particles(&mut self) -> (Scheme<T, D, AnyInfluence<T, D>>, Particles<'_, T, D, Sums<T, D>>) {
         let particles = Particles {
             positions: &mut self.positions,
             velocities: &mut self.velocities,
             densities: &mut self.densities,
-            pressures: &mut self.pressures,
             forces: &mut self.forces,
-            drifts: &mut self.drifts,
             rates: &mut self.rates,
-            walls: &mut self.walls,
             seen: &mut self.seen,
-            search: &mut self.finder,
+            sums: &mut self.sums,
         };
         (self.scheme, particles)
     }
@@ -152,14 +126,14 @@ impl<T: Scalar, const D: usize, W: Influence<T, D> + Copy + Sync> Simulation<T, 
             place[id as usize] = k as u32;
         }
         let by_id: Vec<[T; D]> = place.iter().map(|&k| self.positions[k as usize]).collect();
-        self.ids = self.finder.order(&self.scheme.layout, &by_id)?;
+        self.ids = self.sums.rows.order(&by_id)?;
         let from: Vec<usize> = self.ids.iter().map(|&id| place[id as usize] as usize).collect();
         gather(&mut self.positions, &from);
         gather(&mut self.velocities, &from);
         gather(&mut self.densities, &from);
-        gather(&mut self.pressures, &from);
         gather(&mut self.forces, &from);
-        self.finder.forget();
+        gather(&mut self.seen, &from);
+        self.sums.rows.forget();
         self.unsorted = 0;
         Ok(())
     }
@@ -187,7 +161,7 @@ pub(super) fn layout<T: Scalar, const D: usize>(
     Ok(layout)
 }
 
-impl<T: Scalar, const D: usize, W: Influence<T, D> + Copy + Sync> Simulate<D> for Simulation<T, D, W> {
+impl<T: Real, const D: usize> Simulate<D> for Simulation<T, D> {
     fn advance(&mut self, until: f64) -> Result<(), Lost> {
         while self.time < until {
             if self.unsorted == SORT_EVERY {
@@ -205,7 +179,7 @@ impl<T: Scalar, const D: usize, W: Influence<T, D> + Copy + Sync> Simulate<D> fo
             // Equal steps for the rest of the way, so that the last one is not tiny.
             let steps = (left / longest).ceil().max(1.0);
             let dt = T::from_f64(left / steps);
-            scheme.step(&mut particles, dt, &Threads)?;
+            scheme.step(&mut particles, dt)?;
             self.time = if steps > 1.0 { self.time + dt.to_f64() } else { until };
             self.steps += 1;
             self.unsorted += 1;
@@ -217,7 +191,7 @@ impl<T: Scalar, const D: usize, W: Influence<T, D> + Copy + Sync> Simulate<D> fo
         self.sort()?;
         self.scheme.liquid.gravity = (self.gravity)(self.time).map(T::from_f64);
         let (scheme, mut particles) = self.particles();
-        scheme.prepare(&mut particles, &Threads)
+        scheme.prepare(&mut particles)
     }
 
     fn snapshot(&self) -> Snapshot<D> {
@@ -234,7 +208,7 @@ impl<T: Scalar, const D: usize, W: Influence<T, D> + Copy + Sync> Simulate<D> fo
             snapshot.positions[id] = self.positions[k].map(T::to_f64);
             snapshot.velocities[id] = self.velocities[k].map(T::to_f64);
             snapshot.densities[id] = self.densities[k].to_f64();
-            snapshot.pressures[id] = self.pressures[k].to_f64();
+            snapshot.pressures[id] = self.seen[k].pressure.to_f64();
         }
         snapshot
     }
@@ -251,6 +225,28 @@ impl<T: Scalar, const D: usize, W: Influence<T, D> + Copy + Sync> Simulate<D> fo
             self.positions[k] = narrow(&snapshot.positions[id]);
             self.velocities[k] = narrow(&snapshot.velocities[id]);
             self.densities[k] = T::from_f64(snapshot.densities[id]);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::run::case::{Case, DamBreak};
+
+    #[test]
+    fn a_particle_faster_than_twice_sound_is_lost() {
+        let mut setup: Setup<2> = DamBreak { resolution: 8 }.setup();
+        for (speed, is_lost) in [(1.99, false), (2.01, true)] {
+            setup.velocities[7] = [-speed * setup.sound_speed, 0.0];
+            let mut simulation = Simulation::<f64, 2>::new(&setup, KernelName::WendlandC2).unwrap();
+            match simulation.advance(1e-9) {
+                Err(Lost::TooFast { speed, sound }) => {
+                    assert!(is_lost && sound == setup.sound_speed, "{speed}");
+                    assert_eq!(speed, 2.01 * sound);
+                }
+                other => assert!(other == Ok(()) && !is_lost, "{other:?}"),
+            }
         }
     }
 }

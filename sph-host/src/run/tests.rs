@@ -6,20 +6,7 @@ use std::path::Path;
 use super::*;
 
 fn options(case: CaseName, resolution: u32, out: &Path) -> Options {
-    Options {
-        case,
-        solver: None,
-        dim: 2,
-        resolution: Some(resolution),
-        time: None,
-        scalar: None,
-        kernel: None,
-        out: out.to_owned(),
-        every: None,
-        resume: false,
-        force: false,
-        threads: None,
-    }
+    Options { resolution: Some(resolution), ..Options::new(case, out.to_owned()) }
 }
 
 /// Drives a case in a quarter of the usual frames, and gives its checks.

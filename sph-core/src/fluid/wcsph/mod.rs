@@ -19,25 +19,33 @@
 //! | `wall` | pressure and velocity of wall particles | Adami, Hu, Adams, J. Comput. Phys. 231 (2012) 7057 |
 //! | `step` | kick, drift, kick | the same, sect. 2.6 |
 //!
+//! The terms of a pair are written for a [`Lane`]: for one scalar, as [`OneByOne`] sums them here, or for several pairs side by
+//! side, as another [`Summation`] may.
+//!
 //! Particles are numbered fluid first, then walls. Wall particles stand still, several layers deep, as many as the support
 //! reaches, with the spacing and the mass of the fluid. A free surface needs nothing: the sums miss what is not there.
 
 mod continuity;
 mod gradient;
+mod lane;
 mod momentum;
 mod pairs;
 mod step;
+mod summation;
 mod time_step;
 mod wall;
 
 #[cfg(test)]
 mod tests;
 
-pub use momentum::Forces;
+pub use continuity::RateSums;
+pub use lane::Lane;
+pub use momentum::{ForceSums, Forces};
 pub use pairs::{Cells, Pairs, Search};
-pub use step::{Executor, Particles, Sequential};
+pub use step::Particles;
+pub use summation::{Executor, OneByOne, Sequential, Summation};
 pub use time_step::Limits;
-pub use wall::WallState;
+pub use wall::WallSums;
 
 use super::EquationOfState;
 use crate::{CellLayout, Influence, Scalar};
@@ -88,32 +96,54 @@ pub struct State<'a, T, const D: usize> {
     pub fluid: usize,
     /// Each particle as its neighbours see it.
     pub seen: &'a [Seen<T, D>],
-    /// δv, with which the fluid is shifted.
-    pub drifts: &'a [[T; D]],
 }
 
-/// One particle as its neighbours see it, with the quotients that each of them would work out again.
+/// One particle as its neighbours see it, with the quotients that each of them would work out again; or several side by side.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Seen<T, const D: usize> {
-    /// v_j; of a wall particle the velocity that viscosity sees (see [`WallState`]).
-    pub velocity: [T; D],
-    density: T,
-    pressure: T,
+pub struct Seen<A, const D: usize> {
+    /// v_j; of a wall particle the velocity that viscosity sees.
+    pub velocity: [A; D],
+    /// ρ_j
+    pub density: A,
+    /// p_j
+    pub pressure: A,
     /// V_j = m/ρ_j
-    volume: T,
+    pub volume: A,
     /// p_j/ρ_j²
-    push: T,
+    pub push: A,
+    /// ∇ρ_j; zero of a wall.
+    pub density_gradient: [A; D],
+    /// δv_j, with which it is shifted; zero of a wall.
+    pub drift: [A; D],
 }
 
 impl<T: Scalar, const D: usize> Seen<T, D> {
     /// No particle yet.
-    pub const NONE: Self =
-        Self { velocity: [T::ZERO; D], density: T::ONE, pressure: T::ZERO, volume: T::ZERO, push: T::ZERO };
+    pub const NONE: Self = Self {
+        velocity: [T::ZERO; D],
+        density: T::ONE,
+        pressure: T::ZERO,
+        volume: T::ZERO,
+        push: T::ZERO,
+        density_gradient: [T::ZERO; D],
+        drift: [T::ZERO; D],
+    };
 
-    /// A particle of mass m.
+    /// A particle of mass m, among others of its density and not shifted.
     #[inline(always)]
     pub fn new(mass: T, velocity: [T; D], density: T, pressure: T) -> Self {
-        Self { velocity, density, pressure, volume: mass / density, push: pressure / (density * density) }
+        let (volume, push) = (mass / density, pressure / (density * density));
+        Self { velocity, density, pressure, volume, push, ..Self::NONE }
     }
+}
+
+/// A neighbour from where a particle stands, or several side by side.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Pair<A, const D: usize> {
+    /// x_ij = x_i − x_j
+    pub offset: [A; D],
+    /// s with ∇W_ij = s x_ij (see [`Influence::slope`]).
+    pub slope: A,
 }

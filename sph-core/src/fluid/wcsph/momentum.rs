@@ -1,10 +1,10 @@
 //! What accelerates a particle.
 
 use super::gradient::DensityGradient;
-use super::{Pairs, Scheme, Seen, State};
-use crate::field::Quantity;
+use super::lane::{add_vector, total_vector};
+use super::{Lane, Pair, Pairs, Scheme, Seen, State};
 use crate::vector::{add, dot, norm_squared, scale, sub};
-use crate::{Influence, Neighbour, Scalar};
+use crate::{Influence, Scalar};
 
 /// What the sums over its neighbours give a fluid particle.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,60 +25,99 @@ impl<T: Scalar, const D: usize> Forces<T, D> {
         Self { acceleration: [T::ZERO; D], shift: [T::ZERO; D], density_gradient: [T::ZERO; D] };
 }
 
-/// The sums of one particle.
-struct Sums<T: Scalar, const D: usize> {
-    pull: [T::Sum; D],
-    shift: [T::Sum; D],
-    density_gradient: DensityGradient<T, D>,
+/// The sums of one particle that make its [`Forces`].
+#[derive(Clone, Copy)]
+pub struct ForceSums<T, A: Lane<T>, const D: usize> {
+    pull: [A::Sum; D],
+    shift: [A::Sum; D],
+    density_gradient: DensityGradient<T, A, D>,
+}
+
+impl<T: Scalar, A: Lane<T>, const D: usize> ForceSums<T, A, D> {
+    /// Without neighbours.
+    pub const EMPTY: Self =
+        Self { pull: [A::EMPTY; D], shift: [A::EMPTY; D], density_gradient: DensityGradient::EMPTY };
 }
 
 impl<T: Scalar, const D: usize, W: Influence<T, D>> Scheme<T, D, W> {
     /// What accelerates fluid particle i; `None` where there is no such particle.
     pub fn forces(&self, pairs: &impl Pairs<T, D>, state: &State<T, D>, i: usize) -> Option<Forces<T, D>> {
         let own = state.seen.get(i)?;
-        let own_drift = state.drifts.get(i)?;
-        let liquid = &self.liquid;
-        let none = <[T; D] as Quantity<T>>::EMPTY;
-        let mut sums = Sums { pull: none, shift: none, density_gradient: DensityGradient::EMPTY };
+        let mut sums = ForceSums::EMPTY;
         pairs.for_each_of(i, self.influence.support_radius(), |neighbour| {
-            let Some(other) = state.seen.get(neighbour.index) else { return };
-            let slope = self.influence.slope(neighbour.distance_squared);
-            let is_fluid = neighbour.index < state.fluid;
-            let stress = self.stress(own, other, &neighbour, is_fluid);
-            neighbour.offset.add_to(&mut sums.pull, -(self.mass * stress * slope));
-            if liquid.kinematic_viscosity > T::ZERO {
-                let factor = liquid.kinematic_viscosity * (own.volume + other.volume) * slope;
-                sub(&own.velocity, &other.velocity).add_to(&mut sums.pull, factor);
-            }
-            if liquid.density_diffusion > T::ZERO {
-                let excess = other.density - own.density;
-                sums.density_gradient.add(&neighbour.offset, other.volume * slope, excess);
-            }
-            if liquid.shift_speed > T::ZERO {
-                let drift = state.drifts.get(neighbour.index);
-                sums.shift(own, other, own_drift, drift, &scale(&neighbour.offset, slope));
+            if let Some(other) = state.seen.get(neighbour.index) {
+                let slope = self.influence.slope(neighbour.distance_squared);
+                let pair = Pair { offset: neighbour.offset, slope };
+                self.add_force(&mut sums, own, other, &pair, neighbour.index < state.fluid);
             }
         });
-        let pull = <[T; D]>::total(sums.pull);
-        Some(Forces {
-            acceleration: add(&pull, &liquid.gravity),
-            shift: self.limited_shift(&<[T; D]>::total(sums.shift)),
-            density_gradient: sums.density_gradient.total(),
-        })
+        Some(self.total_forces(sums))
+    }
+
+    /// Adds the terms of a pair, or of several side by side, to the sums of its first particle; the second is fluid or a wall.
+    #[inline(always)]
+    pub fn add_force<A: Lane<T>>(
+        &self,
+        sums: &mut ForceSums<T, A, D>,
+        own: &Seen<A, D>,
+        other: &Seen<A, D>,
+        pair: &Pair<A, D>,
+        is_fluid: bool,
+    ) {
+        let liquid = &self.liquid;
+        let stress = self.stress(own, other, pair, is_fluid);
+        add_vector::<T, A, D>(&mut sums.pull, &pair.offset, -(A::splat(self.mass) * stress * pair.slope));
+        if liquid.kinematic_viscosity > T::ZERO {
+            let factor = A::splat(liquid.kinematic_viscosity) * (own.volume + other.volume) * pair.slope;
+            add_vector::<T, A, D>(&mut sums.pull, &sub(&own.velocity, &other.velocity), factor);
+        }
+        if liquid.density_diffusion > T::ZERO {
+            let excess = other.density - own.density;
+            sums.density_gradient.add(&pair.offset, other.volume * pair.slope, excess);
+        }
+        if liquid.shift_speed > T::ZERO {
+            sums.shift(own, other, &scale(&pair.offset, pair.slope));
+        }
+    }
+
+    /// The forces that sums over all neighbours make.
+    #[inline(always)]
+    pub fn total_forces<A: Lane<T>>(&self, sums: ForceSums<T, A, D>) -> Forces<T, D> {
+        Forces {
+            acceleration: add(&total_vector::<T, A, D>(&sums.pull), &self.liquid.gravity),
+            shift: if self.liquid.shift_speed > T::ZERO {
+                self.limited_shift(&total_vector::<T, A, D>(&sums.shift))
+            } else {
+                [T::ZERO; D]
+            },
+            density_gradient: if self.liquid.density_diffusion > T::ZERO {
+                sums.density_gradient.total()
+            } else {
+                [T::ZERO; D]
+            },
+        }
     }
 
     /// p_i/ρ_i² + p_j/ρ_j² + Π_ij; of a wall without Π and not below zero, for walls push and do not pull.
     #[inline(always)]
-    fn stress(&self, own: &Seen<T, D>, other: &Seen<T, D>, pair: &Neighbour<T, D>, is_fluid: bool) -> T {
+    fn stress<A: Lane<T>>(
+        &self,
+        own: &Seen<A, D>,
+        other: &Seen<A, D>,
+        pair: &Pair<A, D>,
+        is_fluid: bool,
+    ) -> A {
         let pressure = own.push + other.push;
-        let approach = dot(&sub(&own.velocity, &other.velocity), &pair.offset).min(T::ZERO);
+        if !is_fluid {
+            return pressure.positive_part();
+        }
+        let approach = (-dot(&sub(&own.velocity, &other.velocity), &pair.offset)).positive_part();
         let length = self.length();
-        let softened = pair.distance_squared + length * length * T::ratio(1, 100);
-        let mean_density = (own.density + other.density) * T::ratio(1, 2);
+        let softened = norm_squared(&pair.offset) + A::splat(length * length * T::ratio(1, 100));
+        let mean_density = (own.density + other.density) * A::ratio(1, 2);
         let strength =
             self.liquid.artificial_viscosity * self.liquid.equation_of_state.sound_speed() * length;
-        let viscous = pressure - strength * approach / (softened * mean_density);
-        if is_fluid { viscous } else { pressure.positive_part() }
+        pressure + A::splat(strength) * approach / (softened * mean_density)
     }
 
     /// −u_s h Σ V_j ∇W, no longer than u_s/2.
@@ -90,21 +129,12 @@ impl<T: Scalar, const D: usize, W: Influence<T, D>> Scheme<T, D, W> {
     }
 }
 
-impl<T: Scalar, const D: usize> Sums<T, D> {
+impl<T: Scalar, A: Lane<T>, const D: usize> ForceSums<T, A, D> {
     /// Σ V_j ∇W, and the stress of what is carried by the shifts.
     #[inline(always)]
-    fn shift(
-        &mut self,
-        own: &Seen<T, D>,
-        other: &Seen<T, D>,
-        own_drift: &[T; D],
-        drift: Option<&[T; D]>,
-        gradient: &[T; D],
-    ) {
-        gradient.add_to(&mut self.shift, other.volume);
-        own.velocity.add_to(&mut self.pull, dot(own_drift, gradient) * own.volume);
-        if let Some(drift) = drift {
-            other.velocity.add_to(&mut self.pull, dot(drift, gradient) * other.volume);
-        }
+    fn shift(&mut self, own: &Seen<A, D>, other: &Seen<A, D>, gradient: &[A; D]) {
+        add_vector::<T, A, D>(&mut self.shift, gradient, other.volume);
+        add_vector::<T, A, D>(&mut self.pull, &own.velocity, dot(&own.drift, gradient) * own.volume);
+        add_vector::<T, A, D>(&mut self.pull, &other.velocity, dot(&other.drift, gradient) * other.volume);
     }
 }

@@ -68,19 +68,3 @@ impl<T: Scalar, const D: usize> Pairs<T, D> for BruteForce<'_, T, D> {
         }
     }
 }
-
-impl<T: Scalar, const D: usize, S: Search<T, D>> Search<T, D> for &mut S {
-    type Found<'a>
-        = S::Found<'a>
-    where
-        Self: 'a;
-
-    fn find<'a>(
-        &'a mut self,
-        layout: &CellLayout<T, D>,
-        positions: &'a [[T; D]],
-        fluid: usize,
-    ) -> Result<S::Found<'a>, Error> {
-        (**self).find(layout, positions, fluid)
-    }
-}

@@ -52,8 +52,7 @@ fn the_fused_sums_are_those_of_the_fields() {
     let (positions, velocities, densities) = (cloud::<f64>(), velocities::<f64>(), [1.01; N]);
     let mut scheme = scheme::<f64>();
     let pressures: [f64; N] = core::array::from_fn(|i| libm::cos(i as f64));
-    let drifts = [[0.0; 2]; N];
-    let state = State { fluid: N, seen: &seen(&velocities, &densities, &pressures), drifts: &drifts };
+    let state = State { fluid: N, seen: &seen(&velocities, &densities, &pressures) };
     let search = BruteForce::new(&positions).unwrap();
     let volumes = Sources::new(&search, Uniform(0.01 / 1.01)).unwrap();
     let w = &scheme.influence.clone();
@@ -65,7 +64,7 @@ fn the_fused_sums_are_those_of_the_fields() {
         near(force.acceleration[0], -gradient[0] / 1.01);
         near(force.acceleration[1], -gradient[1] / 1.01);
 
-        let rate = scheme.density_rate(&search, &state, &[Forces::NONE; N], i).unwrap();
+        let rate = scheme.density_rate(&search, &state, i).unwrap();
         near(rate, -1.01 * field::divergence(&velocity.jacobian::<2>(w, i).unwrap()));
 
         scheme.liquid.kinematic_viscosity = 0.3;
@@ -97,18 +96,18 @@ fn run_free_cloud<T: Scalar>(scheme: &Scheme<T, 2, W<T>>, steps: usize) -> ([f64
         positions: &mut positions,
         velocities: &mut velocities,
         densities: &mut [T::from_f64(1.002); N],
-        pressures: &mut [T::ZERO; N],
         forces: &mut [Forces::NONE; N],
-        drifts: &mut [[T::ZERO; 2]; N],
         rates: &mut [T::ZERO; N],
-        walls: &mut [],
         seen: &mut [Seen::NONE; N],
-        search: Cells { starts: &mut [0_u8; 10], entries: &mut [0_u8; N] },
+        sums: &mut OneByOne {
+            search: Cells { starts: &mut [0_u8; 10], entries: &mut [0_u8; N] },
+            executor: Sequential,
+        },
     };
-    scheme.prepare(&mut particles, &Sequential).unwrap();
+    scheme.prepare(&mut particles).unwrap();
     for _ in 0..steps {
         let dt = scheme.stable_step(&particles, &Limits::default());
-        scheme.step(&mut particles, dt, &Sequential).unwrap();
+        scheme.step(&mut particles, dt).unwrap();
     }
     (before, momenta(&positions, &velocities))
 }
@@ -141,10 +140,7 @@ fn the_gradient_of_density_is_that_of_the_field() {
     let field = Field::new(&sources, &densities).unwrap();
     let gradient = |densities: &[f64; N], i| {
         let seen = seen(&[[0.0; 2]; N], densities, &[0.0; N]);
-        scheme
-            .forces(&search, &State { fluid: N, seen: &seen, drifts: &[[0.0; 2]; N] }, i)
-            .unwrap()
-            .density_gradient
+        scheme.forces(&search, &State { fluid: N, seen: &seen }, i).unwrap().density_gradient
     };
     for i in 0..N {
         let (found, expected) =
@@ -160,7 +156,7 @@ fn the_gradient_of_density_is_that_of_the_field() {
     let alone = [[0.0, 0.0], [0.1, 0.0]];
     let search = BruteForce::new(&alone).unwrap();
     let seen = [1.0, 2.0].map(|density| Seen::new(0.01, [0.0; 2], density, 0.0));
-    let force = scheme.forces(&search, &State { fluid: 2, seen: &seen, drifts: &[[0.0; 2]; 2] }, 0).unwrap();
+    let force = scheme.forces(&search, &State { fluid: 2, seen: &seen }, 0).unwrap();
     assert_eq!(force.density_gradient, [0.0; 2], "two particles span a line");
 }
 
@@ -169,9 +165,9 @@ fn first_of_two(scheme: &Scheme<f64, 2, W<f64>>, velocity: [f64; 2], density: f6
     let positions = [[0.0, 0.0], [0.1, 0.0]];
     let search = BruteForce::new(&positions).unwrap();
     let seen = [Seen::new(0.01, velocity, density, 0.0), Seen::new(0.01, [0.0; 2], 1.0, 0.0)];
-    let state = State { fluid: 2, seen: &seen, drifts: &[[0.0; 2]; 2] };
+    let state = State { fluid: 2, seen: &seen };
     let force = scheme.forces(&search, &state, 0).unwrap();
-    (force, scheme.density_rate(&search, &state, &[Forces::NONE; 2], 0).unwrap())
+    (force, scheme.density_rate(&search, &state, 0).unwrap())
 }
 
 #[test]
@@ -210,12 +206,10 @@ fn walls_extrapolate_a_linear_pressure_and_push_only() {
     let positions: [[f64; 2]; N] = core::array::from_fn(|i| positions[(i + 1) % N]);
     let pressure_at = |x: &[f64; 2]| 5.0 + dot(&scheme.liquid.gravity, x);
     let pressures = positions.map(|x| pressure_at(&x));
-    let (velocities, densities, drifts) = ([[0.5, -0.25]; N], [1.0; N], [[0.0; 2]; N - 1]);
+    let (velocities, densities) = ([[0.5, -0.25]; N], [1.0; N]);
     let search = BruteForce::new(&positions).unwrap();
     let state = |pressures| seen(&velocities, &densities, pressures);
-    let wall_of = |seen: &[Seen<f64, 2>; N]| {
-        scheme.wall(&search, &State { fluid: N - 1, seen, drifts: &drifts }, N - 1).unwrap()
-    };
+    let wall_of = |seen: &[Seen<f64, 2>; N]| scheme.wall(&search, &seen[..N - 1], N - 1);
     let wall = wall_of(&state(&pressures));
     near(wall.pressure, pressure_at(&positions[N - 1]));
     near(scheme.liquid.equation_of_state.pressure(wall.density), wall.pressure);
@@ -246,18 +240,18 @@ fn slices_that_do_not_agree_and_lost_particles_are_errors() {
         positions: &mut positions,
         velocities: &mut [[0.0; 2]; N],
         densities: &mut [1.0; N],
-        pressures: &mut [0.0; N],
         forces: &mut [Forces::NONE; N],
-        drifts: &mut [[0.0; 2]; N],
         rates: &mut [0.0; N],
-        walls: &mut [],
         seen: &mut [Seen::NONE; N],
-        search: Cells { starts: &mut [0_u8; 10], entries: &mut [0_u8; N] },
+        sums: &mut OneByOne {
+            search: Cells { starts: &mut [0_u8; 10], entries: &mut [0_u8; N] },
+            executor: Sequential,
+        },
     };
-    let error = scheme.prepare(&mut particles, &Sequential).unwrap_err();
+    let error = scheme.prepare(&mut particles).unwrap_err();
     assert_eq!(error, crate::Error::NotFinite { parameter: crate::Parameter::Position, index: 7 });
     let mut short = [[0.0; 2]; N - 1];
-    particles.drifts = &mut short;
-    let error = scheme.step(&mut particles, 0.1, &Sequential).unwrap_err();
+    particles.velocities = &mut short;
+    let error = scheme.step(&mut particles, 0.1).unwrap_err();
     assert!(matches!(error, crate::Error::LengthMismatch { expected: N, .. }));
 }

@@ -7,55 +7,68 @@
 //! Source: S. Adami, X. Y. Hu, N. A. Adams, *A generalized wall boundary condition for smoothed particle hydrodynamics*,
 //! J. Comput. Phys. 231 (2012) 7057, eqs. (23), (27), for walls that stand still. Suction is left out, so that fluid comes free.
 
-use super::{Pairs, Scheme, State};
-use crate::field::Quantity;
-use crate::fluid::EquationOfState;
+use super::lane::{add_vector, splat_vector, total_vector};
+use super::{Lane, Pairs, Scheme, Seen};
 use crate::vector::{dot, scale};
-use crate::{Accumulator, Influence, Scalar};
+use crate::{Influence, Scalar};
 
-/// What a wall particle shows the fluid.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct WallState<T, const D: usize> {
-    /// The pressure that the fluid would have there, zero where no fluid is near.
-    pub pressure: T,
-    /// The density of that pressure.
-    pub density: T,
-    /// The velocity that makes that of the fluid vanish at the wall's surface: what viscosity sees.
-    pub velocity: [T; D],
+/// The sums over the fluid that make what a wall particle shows it.
+#[derive(Clone, Copy)]
+pub struct WallSums<T, A: Lane<T>, const D: usize> {
+    norm: A::Sum,
+    pressure: A::Sum,
+    velocity: [A::Sum; D],
 }
 
-impl<T: Scalar, const D: usize> WallState<T, D> {
-    /// Where no fluid is near.
-    pub(super) fn at_rest(state: &EquationOfState<T>) -> Self {
-        Self { pressure: T::ZERO, density: state.rest_density(), velocity: [T::ZERO; D] }
-    }
+impl<T: Scalar, A: Lane<T>, const D: usize> WallSums<T, A, D> {
+    /// Without neighbours.
+    pub const EMPTY: Self = Self { norm: A::EMPTY, pressure: A::EMPTY, velocity: [A::EMPTY; D] };
 }
 
 impl<T: Scalar, const D: usize, W: Influence<T, D>> Scheme<T, D, W> {
-    /// The state of wall particle i from the fluid in reach; `None` where there is no such particle.
-    pub fn wall(&self, pairs: &impl Pairs<T, D>, state: &State<T, D>, i: usize) -> Option<WallState<T, D>> {
-        state.seen.get(i)?;
-        let (mut norm, mut pressure) = (T::Sum::ZERO, T::Sum::ZERO);
-        let mut velocity = <[T; D] as Quantity<T>>::EMPTY;
+    /// Wall particle i as the fluid in reach sees it, from that fluid.
+    pub fn wall(&self, pairs: &impl Pairs<T, D>, fluid: &[Seen<T, D>], i: usize) -> Seen<T, D> {
+        let mut sums = WallSums::EMPTY;
         pairs.for_each_of(i, self.influence.support_radius(), |neighbour| {
-            if neighbour.index >= state.fluid {
-                return;
+            if let Some(other) = fluid.get(neighbour.index) {
+                let weight = self.influence.influence(neighbour.distance_squared);
+                self.add_to_wall(&mut sums, other, &neighbour.offset, weight);
             }
-            let Some(other) = state.seen.get(neighbour.index) else { return };
-            let weight = self.influence.influence(neighbour.distance_squared);
-            let weighed = other.density * dot(&self.liquid.gravity, &neighbour.offset);
-            norm.add(weight);
-            pressure.add((other.pressure + weighed) * weight);
-            other.velocity.add_to(&mut velocity, weight);
         });
-        let norm = norm.total();
+        self.total_wall(sums)
+    }
+
+    /// Adds a fluid particle, or several side by side, to the sums of a wall: x_wj, W_wj in any unit.
+    #[inline(always)]
+    pub fn add_to_wall<A: Lane<T>>(
+        &self,
+        sums: &mut WallSums<T, A, D>,
+        other: &Seen<A, D>,
+        offset: &[A; D],
+        weight: A,
+    ) {
+        let weighed = other.density * dot(&splat_vector::<T, A, D>(&self.liquid.gravity), offset);
+        weight.add_to(&mut sums.norm);
+        ((other.pressure + weighed) * weight).add_to(&mut sums.pressure);
+        add_vector::<T, A, D>(&mut sums.velocity, &other.velocity, weight);
+    }
+
+    /// The wall that sums over all fluid in reach make: with the pressure that the fluid would have there, the density of that
+    /// pressure, and the velocity that makes that of the fluid vanish at the wall's surface. Without fluid, one at rest.
+    #[inline(always)]
+    pub fn total_wall<A: Lane<T>>(&self, sums: WallSums<T, A, D>) -> Seen<T, D> {
+        let norm = A::total(sums.norm);
         let state = &self.liquid.equation_of_state;
         if !norm.is_above_zero() {
-            return Some(WallState::at_rest(state));
+            return self.dry_wall();
         }
-        let pressure = (pressure.total() / norm).positive_part();
-        let velocity = scale(&<[T; D]>::total(velocity), -(T::ONE / norm));
-        Some(WallState { pressure, density: state.density(pressure), velocity })
+        let pressure = (A::total(sums.pressure) / norm).positive_part();
+        let velocity = scale(&total_vector::<T, A, D>(&sums.velocity), -(T::ONE / norm));
+        Seen::new(self.mass, velocity, state.density(pressure), pressure)
+    }
+
+    /// A wall where no fluid is near.
+    pub fn dry_wall(&self) -> Seen<T, D> {
+        Seen::new(self.mass, [T::ZERO; D], self.liquid.equation_of_state.rest_density(), T::ZERO)
     }
 }

@@ -6,6 +6,7 @@ use std::marker::PhantomData;
 use pulp::x86::{V3, V4};
 use pulp::{Simd, WithSimd, cast};
 
+use super::turn::{turn_f32, turn_f64};
 use super::{BLOCK, Baseline, Isa, Job, Level, sealed::Sealed};
 
 /// A job on its way into a function that is compiled for V3 or V4.
@@ -127,6 +128,11 @@ impl Isa<f32> for V4 {
     fn pack_places(self, mask: u32, places: &[u32; BLOCK], out: &mut [u32; BLOCK]) {
         pack_places_avx512(self, mask, places, out);
     }
+
+    #[inline(always)]
+    fn turn(self, quadruples: &[&[f32; 4]; BLOCK]) -> [[f32; BLOCK]; 4] {
+        turn_f32(self, quadruples)
+    }
 }
 
 impl Isa<f64> for V4 {
@@ -151,6 +157,11 @@ impl Isa<f64> for V4 {
     #[inline(always)]
     fn pack_places(self, mask: u32, places: &[u32; BLOCK], out: &mut [u32; BLOCK]) {
         pack_places_avx512(self, mask, places, out);
+    }
+
+    #[inline(always)]
+    fn turn(self, quadruples: &[&[f64; 4]; BLOCK]) -> [[f64; BLOCK]; 4] {
+        turn_f64(self, quadruples)
     }
 }
 

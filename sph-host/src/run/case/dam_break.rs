@@ -14,9 +14,9 @@ use crate::run::series::{Check, Series};
 use crate::run::setup::{Setup, State, cells, centre, walls};
 use crate::run::simulation::Snapshot;
 
-/// a of Koshizuka and Oka's experiment.
 /// The file of the plot.
 pub(super) const PLOT: &str = "front.png";
+/// a of Koshizuka and Oka's experiment.
 const WIDTH: f64 = 0.146;
 const GRAVITY: f64 = 9.81;
 /// The tank's height over a; it has a roof.

@@ -1,0 +1,76 @@
+//! What the terms of a pair are worked out on.
+
+use crate::{Accumulator, Arithmetic, Scalar};
+
+/// One scalar, or several side by side, each of a pair of its own: the terms of all sums are written once for both.
+pub trait Lane<T>: Arithmetic {
+    /// Running sums of terms, one for each scalar.
+    type Sum: Copy;
+    /// Sums of nothing.
+    const EMPTY: Self::Sum;
+
+    /// The same number for all pairs.
+    fn splat(value: T) -> Self;
+
+    /// Adds a term.
+    fn add_to(self, sum: &mut Self::Sum);
+
+    /// The sum of all terms of all pairs.
+    fn total(sum: Self::Sum) -> T;
+
+    /// This number where `condition` > 0, zero elsewhere.
+    fn where_above_zero(self, condition: Self) -> Self;
+}
+
+impl<T: Scalar> Lane<T> for T {
+    type Sum = T::Sum;
+    const EMPTY: T::Sum = T::Sum::ZERO;
+
+    #[inline(always)]
+    fn splat(value: T) -> T {
+        value
+    }
+
+    #[inline(always)]
+    fn add_to(self, sum: &mut T::Sum) {
+        sum.add(self);
+    }
+
+    #[inline(always)]
+    fn total(sum: T::Sum) -> T {
+        sum.total()
+    }
+
+    #[inline(always)]
+    fn where_above_zero(self, condition: T) -> T {
+        if condition.is_above_zero() { self } else { T::ZERO }
+    }
+}
+
+/// x w, added axis by axis.
+#[inline(always)]
+pub(super) fn add_vector<T, A: Lane<T>, const D: usize>(sum: &mut [A::Sum; D], x: &[A; D], weight: A) {
+    for axis in 0..D {
+        (x[axis] * weight).add_to(&mut sum[axis]);
+    }
+}
+
+/// The sums axis by axis.
+#[inline(always)]
+pub(super) fn total_vector<T: Scalar, A: Lane<T>, const D: usize>(sum: &[A::Sum; D]) -> [T; D] {
+    let mut total = [T::ZERO; D];
+    for axis in 0..D {
+        total[axis] = A::total(sum[axis]);
+    }
+    total
+}
+
+/// The same vector for all pairs.
+#[inline(always)]
+pub(super) fn splat_vector<T: Copy, A: Lane<T>, const D: usize>(x: &[T; D]) -> [A; D] {
+    let mut wide = [A::ZERO; D];
+    for axis in 0..D {
+        wide[axis] = A::splat(x[axis]);
+    }
+    wide
+}

@@ -1,0 +1,302 @@
+//! The sums over neighbours on vectors and threads: sph-core's terms on sixteen pairs at a time, over rows that are kept.
+
+use std::ops::Range;
+
+use rayon::prelude::*;
+use sph_core::Error;
+use sph_core::fluid::wcsph::{ForceSums, Forces, Pair, RateSums, Scheme, Seen, Summation, WallSums};
+
+use super::near::{Near, Weight};
+use super::records::{Records, Wide, record};
+use super::rows::{Rows, SHARE, Share};
+use crate::fast::{Isa, Job, Lanes, Real};
+use crate::kernel_choice::AnyInfluence;
+
+#[cfg(test)]
+mod tests;
+
+/// Particles about which is looked at once: what is found fits the first cache.
+const GROUP: usize = 8;
+
+/// What sums over neighbours.
+pub(super) struct Sums<T, const D: usize> {
+    pub(super) rows: Rows<T, D>,
+    weight: Weight<T>,
+    records: Records<T>,
+}
+
+type Host<T, const D: usize> = Scheme<T, D, AnyInfluence<T, D>>;
+
+impl<T: Real, const D: usize> Sums<T, D> {
+    pub(super) fn new(rows: Rows<T, D>, weight: Weight<T>) -> Self {
+        Self { rows, weight, records: Records { places: Vec::new(), states: Vec::new() } }
+    }
+
+    /// Lists rows anew where that is needed, and takes down fluid particles as they are seen.
+    fn take_down(
+        &mut self,
+        scheme: &Host<T, D>,
+        positions: &[[T; D]],
+        seen: &[Seen<T, D>],
+        fluid: usize,
+    ) -> Result<(), Error> {
+        let (of_fluid, of_walls) = positions.split_at(fluid);
+        let before = self.rows.wet.clone();
+        if self.rows.update(of_fluid, of_walls)? {
+            self.make_room(scheme, of_walls, fluid);
+            let dry = scheme.dry_wall();
+            for wall in before.into_iter().filter(|wall| self.rows.wet.binary_search(wall).is_err()) {
+                self.records.set(wall as usize, &positions[wall as usize], &dry);
+            }
+        }
+        let rows = &self.rows;
+        let (places, states) = (&mut self.records.places[..fluid], &mut self.records.states[..fluid]);
+        let of_fluid = (places, states, of_fluid, &seen[..fluid]).into_par_iter().with_min_len(SHARE);
+        of_fluid.enumerate().for_each(|(k, (place, state, x, seen))| {
+            (*place, *state) = record(&rows.unwrapped(k, x), seen);
+        });
+        self.set_images(positions.len(), self.rows.images.len());
+        Ok(())
+    }
+
+    /// A record for everybody and every image; walls are dry to begin with.
+    fn make_room(&mut self, scheme: &Host<T, D>, walls: &[[T; D]], fluid: usize) {
+        let (all, is_new) = (fluid + walls.len(), self.records.places.is_empty());
+        self.records.resize::<D>(all + 1 + self.rows.images.len());
+        if is_new {
+            let dry = scheme.dry_wall();
+            walls.iter().enumerate().for_each(|(k, x)| self.records.set(fluid + k, x, &dry));
+        }
+    }
+
+    /// Records the first so many images of all particles.
+    fn set_images(&mut self, all: usize, count: usize) {
+        for (k, image) in self.rows.images[..count].iter().enumerate() {
+            self.records.set_image(all + 1 + k, image.of as usize, &image.shift);
+        }
+    }
+
+    /// out[k] = sum of the k-th row of the shares, whose particles' records are at `place(k)`.
+    fn each<U: Send>(
+        &self,
+        shares: &[Share],
+        out: &mut [U],
+        place: impl Fn(usize) -> usize + Sync,
+        sum: impl Fn(&Near<T, D>, Range<usize>, &mut [U]) + Sync,
+    ) {
+        let nobody = self.rows.nobody;
+        let work = shares.par_iter().zip(out.par_chunks_mut(SHARE)).enumerate();
+        work.for_each_init(Near::default, |near, (number, (share, out))| {
+            for (group, out) in out.chunks_mut(GROUP).enumerate() {
+                let first = group * GROUP;
+                let range = number * SHARE + first..number * SHARE + first + out.len();
+                near.look(&self.weight, &self.records, share, first, range.clone().map(&place), nobody);
+                sum(near, range, out);
+            }
+        });
+    }
+
+    /// The walls that have fluid near, as it sees them.
+    fn walls(&mut self, scheme: &Host<T, D>, positions: &[[T; D]], seen: &mut [Seen<T, D>]) {
+        let mut found = vec![Seen::NONE; self.rows.wet.len()];
+        let (rows, records, level) = (&self.rows, &self.records, self.weight.level);
+        self.each(
+            &rows.of_walls,
+            &mut found,
+            |k| rows.wet[k] as usize,
+            |near, _, out| {
+                T::dispatch(level, SumWalls { scheme, records, near, out });
+            },
+        );
+        for (&wall, found) in self.rows.wet.iter().zip(found) {
+            let wall = wall as usize;
+            seen[wall] = found;
+            self.records.set(wall, &positions[wall], &found);
+        }
+        self.set_images(positions.len(), self.rows.wall_images);
+    }
+}
+
+impl<T: Real, const D: usize> Summation<T, D, AnyInfluence<T, D>> for Sums<T, D> {
+    fn rates(
+        &mut self,
+        scheme: &Host<T, D>,
+        positions: &[[T; D]],
+        seen: &[Seen<T, D>],
+        rates: &mut [T],
+    ) -> Result<(), Error> {
+        self.take_down(scheme, positions, seen, rates.len())?;
+        let (records, level) = (&self.records, self.weight.level);
+        let steepness = self.weight.steepness;
+        self.each(
+            &self.rows.of_fluid,
+            rates,
+            |k| k,
+            |near, range, out| {
+                T::dispatch(
+                    level,
+                    SumRates {
+                        scheme,
+                        steepness,
+                        records,
+                        near,
+                        seen: &seen[range.clone()],
+                        first: range.start,
+                        out,
+                    },
+                );
+            },
+        );
+        Ok(())
+    }
+
+    fn forces(
+        &mut self,
+        scheme: &Host<T, D>,
+        positions: &[[T; D]],
+        seen: &mut [Seen<T, D>],
+        forces: &mut [Forces<T, D>],
+    ) -> Result<(), Error> {
+        self.take_down(scheme, positions, seen, forces.len())?;
+        self.walls(scheme, positions, seen);
+        let (records, level) = (&self.records, self.weight.level);
+        let steepness = self.weight.steepness;
+        self.each(
+            &self.rows.of_fluid,
+            forces,
+            |k| k,
+            |near, range, out| {
+                T::dispatch(level, SumForces { scheme, steepness, records, near, first: range.start, out });
+            },
+        );
+        Ok(())
+    }
+}
+
+/// dρ/dt of some consecutive particles.
+struct SumRates<'a, T, const D: usize> {
+    scheme: &'a Host<T, D>,
+    steepness: T,
+    records: &'a Records<T>,
+    near: &'a Near<T, D>,
+    seen: &'a [Seen<T, D>],
+    first: usize,
+    out: &'a mut [T],
+}
+
+impl<T: Real, const D: usize> SumRates<'_, T, D> {
+    /// Adds the fluid, or the walls.
+    #[inline(always)]
+    fn add<I: Isa<T>, const FLUID: bool>(
+        &self,
+        isa: I,
+        own: &Seen<Wide<T>, D>,
+        blocks: &Range<usize>,
+        sums: &mut RateSums<T, Wide<T>>,
+    ) {
+        let wanted = [false, FLUID, FLUID, !FLUID];
+        for block in blocks.clone() {
+            let (other, pair) = pair(isa, self.records, self.near, block, self.steepness, wanted);
+            self.scheme.add_rate(sums, own, &other, &pair, FLUID);
+        }
+    }
+}
+
+impl<T: Real, const D: usize> Job<T> for SumRates<'_, T, D> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<I: Isa<T>>(self, isa: I) {
+        for (k, spans) in self.near.spans.iter().enumerate() {
+            let own = self.records.seen(self.first + k);
+            let mut sums = RateSums::<T, Wide<T>>::EMPTY;
+            self.add::<I, true>(isa, &own, &spans[0], &mut sums);
+            self.add::<I, false>(isa, &own, &spans[1], &mut sums);
+            self.out[k] = self.scheme.total_rate(&self.seen[k], sums);
+        }
+    }
+}
+
+/// The forces on some consecutive particles.
+struct SumForces<'a, T, const D: usize> {
+    scheme: &'a Host<T, D>,
+    steepness: T,
+    records: &'a Records<T>,
+    near: &'a Near<T, D>,
+    first: usize,
+    out: &'a mut [Forces<T, D>],
+}
+
+impl<T: Real, const D: usize> SumForces<'_, T, D> {
+    /// Adds the fluid, or the walls.
+    #[inline(always)]
+    fn add<I: Isa<T>, const FLUID: bool>(
+        &self,
+        isa: I,
+        own: &Seen<Wide<T>, D>,
+        blocks: &Range<usize>,
+        sums: &mut ForceSums<T, Wide<T>, D>,
+    ) {
+        let wanted = [false, true, true, true];
+        for block in blocks.clone() {
+            let (other, pair) = pair(isa, self.records, self.near, block, self.steepness, wanted);
+            self.scheme.add_force(sums, own, &other, &pair, FLUID);
+        }
+    }
+}
+
+impl<T: Real, const D: usize> Job<T> for SumForces<'_, T, D> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<I: Isa<T>>(self, isa: I) {
+        for (k, spans) in self.near.spans.iter().enumerate() {
+            let own = self.records.seen(self.first + k);
+            let mut sums = ForceSums::<T, Wide<T>, D>::EMPTY;
+            self.add::<I, true>(isa, &own, &spans[0], &mut sums);
+            self.add::<I, false>(isa, &own, &spans[1], &mut sums);
+            self.out[k] = self.scheme.total_forces(sums);
+        }
+    }
+}
+
+/// What walls show.
+struct SumWalls<'a, T, const D: usize> {
+    scheme: &'a Host<T, D>,
+    records: &'a Records<T>,
+    near: &'a Near<T, D>,
+    out: &'a mut [Seen<T, D>],
+}
+
+impl<T: Real, const D: usize> Job<T> for SumWalls<'_, T, D> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<I: Isa<T>>(self, isa: I) {
+        let Self { scheme, records, near, out } = self;
+        for (out, spans) in out.iter_mut().zip(&near.spans) {
+            let mut sums = WallSums::<T, Wide<T>, D>::EMPTY;
+            for block in spans[0].clone() {
+                let (places, offset, weight) = near.block(block, &near.profiles);
+                let other = records.seen_at(isa, places, [true, true, false, false]);
+                scheme.add_to_wall(&mut sums, &other, &offset, weight);
+            }
+            *out = scheme.total_wall(sums);
+        }
+    }
+}
+
+/// Sixteen neighbours, and from where the particle stands.
+#[inline(always)]
+fn pair<T: Real, I: Isa<T>, const D: usize>(
+    isa: I,
+    records: &Records<T>,
+    near: &Near<T, D>,
+    block: usize,
+    steepness: T,
+    wanted: [bool; 4],
+) -> (Seen<Wide<T>, D>, Pair<Wide<T>, D>) {
+    let (places, offset, slope) = near.block(block, &near.slopes);
+    let other = records.seen_at(isa, places, wanted);
+    (other, Pair { offset, slope: slope * Lanes::splat(steepness) })
+}
