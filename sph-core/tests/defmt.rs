@@ -104,7 +104,7 @@ can_be_logged!(
 #[cfg(feature = "fixed")]
 mod fixed_point {
     use sph_core::scalar::fixed::{
-        Check, Checked, I16F16, Near14, Packed14, Place14, Saturate, Saturating, Sum, Wrap, Wrapping,
+        Check, Checked, I16F16, Near14, Packed14, Saturate, Saturating, Sum, Wrap, Wrapping,
     };
 
     can_be_logged!(
@@ -117,7 +117,6 @@ mod fixed_point {
         Sum<I16F16, Check>,
         Near14,
         Packed14<2>,
-        Place14<2>,
     );
 }
 

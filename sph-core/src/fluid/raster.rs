@@ -73,11 +73,10 @@ impl<const W: usize, const H: usize> Raster<W, H> {
         };
         let share = T::ratio(1, 4) / width / width;
         let (columns, rows) = (span(x, W), span(y, H));
-        for row in rows.0..rows.1 {
+        for (row, densities) in self.density.iter_mut().enumerate().take(rows.1).skip(rows.0) {
             let along = tent(y, row) * share;
-            for column in columns.0..columns.1 {
+            for (column, density) in densities.iter_mut().enumerate().take(columns.1).skip(columns.0) {
                 let part = (along * tent(x, column)).times(Self::FULL.into()) + T::ratio(1, 2);
-                let density = &mut self.density[row][column];
                 *density = density.saturating_add(part.floor_to_i32().clamp(0, 255) as u8);
             }
         }

@@ -1,17 +1,17 @@
 //! Particles kept in the order of their cells, and every pair in reach visited once: for solvers that move them.
 //!
 //! Cells have side 1 (the support radius is the unit of length) and number [0, n) along each axis, the first fastest. Sorted
-//! particles need no list of indices: cell c holds `starts[c]..ends[c]`, and a row of cells along the first axis is one run.
+//! particles need no list of indices: cell c holds those from `starts[c]` to `starts[c + 1]`, and a row of cells along the first
+//! axis is one run.
 
 use super::Index;
 use crate::{Error, Parameter};
 
-/// Where each cell's particles start and end, in borrowed memory, in at most three dimensions.
+/// Where each cell's particles start, in borrowed memory, in at most three dimensions.
 #[derive(Debug)]
 pub struct CellOrder<'a, I, const D: usize> {
     counts: [usize; D],
     starts: &'a mut [I],
-    ends: &'a mut [I],
 }
 
 /// Runs ahead of a particle in three dimensions: the rest of its row and the next, and three rows of the next layer.
@@ -25,64 +25,63 @@ impl<'a, I: Index, const D: usize> CellOrder<'a, I, D> {
         _ => panic!("one, two or three dimensions"),
     };
 
-    /// `counts` cells along the axes, of which nothing is known before [`sort`](Self::sort); an element of either slice for each.
+    /// `counts` cells along the axes, of which nothing is known before [`sort`](Self::sort); an element of the slice for each.
     ///
     /// # Errors
-    /// [`Error::CapacityExceeded`] where a slice is shorter than there are cells.
+    /// [`Error::CapacityExceeded`] where the slice is shorter than there are cells.
     #[inline(always)]
-    pub fn new(counts: [usize; D], starts: &'a mut [I], ends: &'a mut [I]) -> Result<Self, Error> {
+    pub fn new(counts: [usize; D], starts: &'a mut [I]) -> Result<Self, Error> {
         let needed = counts.iter().fold(1_usize, |product, &count| product.saturating_mul(count));
-        let capacity = starts.len().min(ends.len());
+        let capacity = starts.len();
         let full = Error::CapacityExceeded { parameter: Parameter::Cells, capacity, needed };
-        let starts = starts.get_mut(..needed).ok_or(full)?;
-        let ends = ends.get_mut(..needed).ok_or(full)?;
-        Ok(Self { counts, starts, ends })
+        Ok(Self { counts, starts: starts.get_mut(..needed).ok_or(full)? })
     }
 
-    /// The number of the cell with these coordinates, each held in range.
+    /// Forgets all particles.
     #[inline(always)]
-    pub fn cell_of(&self, coordinates: [i32; D]) -> usize {
+    pub fn clear(&mut self) {
+        self.starts.fill(I::ZERO);
+    }
+
+    /// Counts a particle in the cell with these coordinates and gives the cell's number; any cell where there is none.
+    #[inline(always)]
+    pub fn count(&mut self, coordinates: [i32; D]) -> usize {
         let mut cell = 0_usize;
         for axis in (0..D).rev() {
-            let count = self.counts[axis];
-            let along = (coordinates[axis].max(0) as usize).min(count.saturating_sub(1));
-            cell = cell.wrapping_mul(count).wrapping_add(along);
+            cell = cell.wrapping_mul(self.counts[axis]).wrapping_add(coordinates[axis] as usize);
+        }
+        let cell = cell.min(self.starts.len().saturating_sub(1));
+        if let Some(count) = self.starts.get_mut(cell) {
+            *count = I::from_usize(count.to_usize().wrapping_add(1));
         }
         cell
     }
 
-    /// Sorts the particles in place by counting; `cell_of` gives the number of a cell that there is.
+    /// Sorts the particles in place once each has been counted; `cell_of` gives the number of its cell.
     ///
-    /// The new order follows from the old one alone. Each particle is moved at most once, behind a swap at most twice.
+    /// The new order follows from the old one alone. What lies in its cell already is not moved unless it makes way.
     #[inline(always)]
     pub fn sort<P: Copy>(&mut self, particles: &mut [P], cell_of: impl Fn(&P) -> usize) {
-        self.ends.fill(I::ZERO);
-        for particle in particles.iter() {
-            let cell = cell_of(particle);
-            if let Some(count) = self.ends.get_mut(cell) {
-                *count = I::from_usize(count.to_usize().wrapping_add(1));
-            }
-        }
         let mut total = 0_usize;
-        for (start, end) in self.starts.iter_mut().zip(self.ends.iter_mut()) {
+        for start in self.starts.iter_mut() {
+            total = total.wrapping_add(start.to_usize());
             *start = I::from_usize(total);
-            total = total.wrapping_add(end.to_usize());
-            *end = *start;
         }
-        // Cell by cell: what lies at the next place of its own cell stays, anything else goes to the next place of its.
-        for cell in 0..self.ends.len() {
-            let full = self.starts.get(cell.wrapping_add(1)).map_or(total, |start| start.to_usize());
-            while let Some(here) = self.ends.get(cell).map(|end| end.to_usize()).filter(|&here| here < full) {
-                let Some(particle) = particles.get(here) else { return };
-                let home = cell_of(particle);
-                let Some(end) = self.ends.get_mut(home) else { return };
-                let there = end.to_usize();
-                *end = I::from_usize(there.wrapping_add(1));
-                if home != cell
-                    && let Ok([one, other]) = particles.get_disjoint_mut([here, there])
-                {
-                    exchange(one, other);
-                }
+        // Now each holds its cell's end. It goes down to the start as the cell fills from behind; what lies before `here`, or
+        // from its own cell's `start` on, is in place.
+        let mut here = 0;
+        while let Some(particle) = particles.get(here) {
+            let home = cell_of(particle);
+            let Some(start) = self.starts.get_mut(home) else { return };
+            let Some(there) = start.to_usize().checked_sub(1).filter(|&there| there >= here) else {
+                here = here.wrapping_add(1);
+                continue;
+            };
+            *start = I::from_usize(there);
+            if particles.get(there).is_some_and(|other| cell_of(other) != home)
+                && let Ok([one, other]) = particles.get_disjoint_mut([here, there])
+            {
+                exchange(one, other);
             }
         }
     }
@@ -138,14 +137,15 @@ impl<'a, I: Index, const D: usize> CellOrder<'a, I, D> {
             let (mut run, mut later) = (row, beyond.iter_mut());
             'all: loop {
                 for other in run.iter_mut() {
-                    if reach & 1 != 0
-                        && let Some(found) = near(&this, other)
-                    {
-                        pair(&this, &mut sums, other, found);
-                    }
+                    let visit = reach & 1 != 0;
                     reach >>= 1; // an arithmetic shift: all bits stay all bits
-                    if reach == 0 {
-                        break 'all;
+                    if visit {
+                        if let Some(found) = near(&this, other) {
+                            pair(&this, &mut sums, other, found);
+                        }
+                        if reach == 0 {
+                            break 'all;
+                        }
                     }
                 }
                 let Some(next) = later.next() else { break };
@@ -158,52 +158,61 @@ impl<'a, I: Index, const D: usize> CellOrder<'a, I, D> {
     /// Each particle with those ahead of it in reach: behind it in its row, and the runs beyond the row, none of them empty.
     #[inline(always)]
     fn each<P>(&self, particles: &mut [P], mut visit: impl FnMut(&mut P, &mut [P], &mut [&mut [P]])) {
-        let mut at = [0_usize; D];
-        let mut start = 0;
-        for (cell, end) in self.ends.iter().enumerate() {
-            let end = end.to_usize();
-            if start < end {
-                let runs = self.ahead(&at, cell);
-                let mut rest = particles.get_mut(start..).unwrap_or_default();
-                let mut gone = runs[0].1;
-                let mut row = take(&mut rest, gone.wrapping_sub(start));
-                let mut beyond: [&mut [P]; MOST_RUNS - 1] = Default::default();
-                let mut count = 0;
-                for (from, to) in runs.into_iter().take(Self::RUNS).skip(1) {
-                    if from < to
-                        && let Some(slot) = beyond.get_mut(count)
+        let (total, width) = (particles.len(), self.counts[0]);
+        let (mut at, mut first, mut start) = ([0; D], 0_usize, 0);
+        while first < self.starts.len() {
+            let next = first.wrapping_add(width);
+            let cells = if self.start(next, total) > start { first..next } else { next..next };
+            for cell in cells {
+                let end = self.start(cell.wrapping_add(1), total);
+                if start < end {
+                    at[0] = cell.wrapping_sub(first);
+                    let runs = self.ahead(&at, cell, total);
+                    let mut gone = runs[0].1;
+                    let Some((here, mut rest)) = particles.split_at_mut_checked(gone) else { return };
+                    let mut line = here.get_mut(start..).unwrap_or_default();
+                    let mut beyond: [&mut [P]; MOST_RUNS - 1] = Default::default();
+                    let mut count = 0;
+                    for (from, to) in runs.into_iter().take(Self::RUNS).skip(1) {
+                        if from < to
+                            && let Some(slot) = beyond.get_mut(count)
+                        {
+                            let Some((run, behind)) = rest.split_at_mut_checked(to.wrapping_sub(gone)) else {
+                                return;
+                            };
+                            *slot = run.get_mut(from.wrapping_sub(gone)..).unwrap_or_default();
+                            (rest, gone) = (behind, to);
+                            count += 1;
+                        }
+                    }
+                    let beyond = beyond.get_mut(..count).unwrap_or_default();
+                    let later = line.len().wrapping_sub(end.wrapping_sub(start));
+                    while line.len() > later
+                        && let Some((particle, ahead)) = core::mem::take(&mut line).split_first_mut()
                     {
-                        take(&mut rest, from.wrapping_sub(gone));
-                        *slot = take(&mut rest, to.wrapping_sub(from));
-                        gone = to;
-                        count += 1;
+                        visit(particle, ahead, beyond);
+                        line = ahead;
                     }
                 }
-                let beyond = beyond.get_mut(..count).unwrap_or_default();
-                for _ in start..end {
-                    let Some((particle, behind)) = row.split_first_mut() else { break };
-                    visit(particle, behind, beyond);
-                    row = behind;
-                }
+                start = end;
             }
-            start = end;
-            if !self.advance(&mut at) {
-                return;
-            }
+            first = next;
+            self.advance(&mut at);
         }
     }
 
     /// The runs in reach that lie ahead of the cell with these coordinates and this number.
     #[inline(always)]
-    fn ahead(&self, at: &[usize; D], cell: usize) -> [(usize, usize); MOST_RUNS] {
-        let right = usize::from(at[0].wrapping_add(1) < self.counts[0]);
+    fn ahead(&self, at: &[usize; D], cell: usize, total: usize) -> [(usize, usize); MOST_RUNS] {
+        let right = usize::from(at[0].wrapping_add(1) < self.counts[0]).wrapping_add(1);
         let left = usize::from(at[0] > 0);
+        let start = |cell: usize| self.start(cell, total);
         let row = |offset: usize| {
             let middle = cell.wrapping_add(offset);
-            self.run(middle.wrapping_sub(left), middle.wrapping_add(right))
+            (start(middle.wrapping_sub(left)), start(middle.wrapping_add(right)))
         };
         let mut runs = [(0, 0); MOST_RUNS];
-        runs[0] = self.run(cell, cell.wrapping_add(right));
+        runs[0] = (start(cell), start(cell.wrapping_add(right)));
         if D > 1 {
             let width = self.counts[0];
             let above = at[1].wrapping_add(1) < self.counts[1];
@@ -224,45 +233,32 @@ impl<'a, I: Index, const D: usize> CellOrder<'a, I, D> {
         runs
     }
 
-    /// The particles of the cells `first` to `last`.
+    /// The number of a cell's first particle of `total`, which is `total` behind the last cell.
     #[inline(always)]
-    fn run(&self, first: usize, last: usize) -> (usize, usize) {
-        match (self.starts.get(first), self.ends.get(last)) {
-            (Some(start), Some(end)) => (start.to_usize(), end.to_usize()),
-            _ => (0, 0),
-        }
+    fn start(&self, cell: usize, total: usize) -> usize {
+        self.starts.get(cell).map_or(total, |start| start.to_usize())
     }
 
-    /// Moves to the coordinates of the next cell; false behind the last.
+    /// Moves to the next row of cells.
     #[inline(always)]
-    fn advance(&self, at: &mut [usize; D]) -> bool {
-        for axis in 0..D {
+    fn advance(&self, at: &mut [usize; D]) {
+        for axis in 1..D {
             at[axis] = at[axis].wrapping_add(1);
             if at[axis] < self.counts[axis] {
-                return true;
+                return;
             }
             at[axis] = 0;
         }
-        false
     }
 }
 
-/// The first `count` elements, or all there are, which `rest` then lacks.
-#[inline(always)]
-fn take<'a, P>(rest: &mut &'a mut [P], count: usize) -> &'a mut [P] {
-    let all = core::mem::take(rest);
-    let (first, behind) = all.split_at_mut(count.min(all.len()));
-    *rest = behind;
-    first
-}
-
-/// The cells along each axis, not the particles in them.
 /// Two references in a call of its own are known to be apart; `swap` by indices links a memmove, 1.6 kB on Cortex-M.
 #[inline(never)]
 fn exchange<P: Copy>(one: &mut P, other: &mut P) {
     (*one, *other) = (*other, *one);
 }
 
+/// The cells along each axis, not the particles in them.
 #[cfg(feature = "defmt")]
 impl<I, const D: usize> defmt::Format for CellOrder<'_, I, D> {
     fn format(&self, f: defmt::Formatter<'_>) {
@@ -276,8 +272,8 @@ mod tests {
 
     /// Sorts points given as cells, then counts every pair of points in cells that touch.
     fn check<const D: usize, const CELLS: usize>(counts: [usize; D], points: usize) {
-        let (mut starts, mut ends) = ([9_u16; CELLS], [9; CELLS]);
-        let mut order = CellOrder::new(counts, &mut starts, &mut ends).unwrap();
+        let mut starts = [9_u16; CELLS];
+        let mut order = CellOrder::new(counts, &mut starts).unwrap();
         let mut state = 12345_u32;
         let mut random = |n: usize| {
             state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
@@ -288,10 +284,13 @@ mod tests {
             *particle = (core::array::from_fn(|axis| random(counts[axis]) as i32), id, 0);
         }
         let particles = &mut particles[..points];
-        let (mut starts, mut ends) = ([0_u16; CELLS], [0; CELLS]);
-        let numbers = CellOrder::new(counts, &mut starts, &mut ends).unwrap();
-        order.sort(particles, |p| numbers.cell_of(p.0));
-        assert!(particles.is_sorted_by_key(|p| order.cell_of(p.0)));
+        order.clear();
+        for particle in particles.iter_mut() {
+            particle.2 = order.count(particle.0);
+        }
+        order.sort(particles, |p| p.2);
+        assert!(particles.is_sorted_by_key(|p| p.2));
+        particles.iter_mut().for_each(|p| p.2 = 0);
         assert_eq!(particles.iter().map(|p| p.1).sum::<usize>(), points * points.saturating_sub(1) / 2);
 
         order.sweep(
@@ -323,13 +322,13 @@ mod tests {
 
     #[test]
     fn too_many_cells_are_an_error() {
-        let (mut starts, mut ends) = ([0_u8; 500], [0; 499]);
+        let mut starts = [0_u8; 499];
         let parameter = Parameter::Cells;
         let error = Error::CapacityExceeded { parameter, capacity: 499, needed: 600 };
-        assert_eq!(CellOrder::new([30, 20], &mut starts, &mut ends).unwrap_err(), error);
-        assert!(CellOrder::new([25, 20], &mut starts, &mut ends).is_err());
-        assert!(CellOrder::new([usize::MAX, 3], &mut starts, &mut ends).is_err());
-        let order = CellOrder::new([24, 20], &mut starts, &mut ends).unwrap();
-        assert_eq!(order.cell_of([-7, 90]), 19 * 24);
+        assert_eq!(CellOrder::new([30, 20], &mut starts).unwrap_err(), error);
+        assert!(CellOrder::new([25, 20], &mut starts).is_err());
+        assert!(CellOrder::new([usize::MAX, 3], &mut starts).is_err());
+        let mut order = CellOrder::new([24, 20], &mut starts).unwrap();
+        assert_eq!([[23, 19], [24, 19], [-7, 90]].map(|at| order.count(at)), [479; 3]);
     }
 }

@@ -12,29 +12,17 @@ use core::fmt::Debug;
 pub trait Compact: Scalar {
     /// The companion.
     type Near: Near;
-    /// A position in memory.
-    type Place<const D: usize>: Place<Self, D>;
 
     /// `self − other`, rounded down to the companion's step. Exact in range for two numbers of [0, 2¹⁶) whose difference the
     /// scalar itself can hold; any number for others.
     fn offset(self, other: Self) -> Self::Near;
+    /// The number rounded down to the companion's step, within ±2¹⁷: a coordinate.
+    #[inline(always)]
+    fn near(self) -> Self::Near {
+        self.offset(Self::ZERO)
+    }
     /// The companion as this scalar.
     fn from_near(near: Self::Near) -> Self;
-}
-
-/// A position as it lies in memory: in floats as it is, in fixed point rounded down to the companion's step.
-pub trait Place<T: Compact, const D: usize>: Copy + Debug + Send + Sync + 'static {
-    /// The position 0.
-    const ORIGIN: Self;
-
-    /// The position x. In fixed point its coordinates lie within ±2¹⁷.
-    fn new(x: &[T; D]) -> Self;
-    /// The coordinates.
-    fn coordinates(&self) -> [T; D];
-    /// The coordinates of `self + way`, which the scalar can hold.
-    fn moved(&self, way: &[T::Near; D]) -> [T; D];
-    /// `self − origin` where that is below 2 in magnitude along each axis; any number for others.
-    fn from(&self, origin: &Self) -> <T::Near as Near>::Packed<D>;
 }
 
 /// A vector of small numbers as it lies in memory, added in one machine word where two components fill one.
@@ -53,16 +41,26 @@ pub trait Pack<N, const D: usize>: Copy + Debug + Send + Sync + 'static {
 }
 
 /// A number near 1. Exact bounds are kept by the caller: offsets and factors below 2 in magnitude never overflow, and what
-/// overflows wraps without a panic.
+/// overflows wraps without a panic. Sums, differences and comparisons are right up to 2¹⁷, as coordinates need them.
 pub trait Near: Arithmetic + PartialOrd + Default + Debug + Send + Sync + 'static {
     /// The form in memory.
     type Stored: Copy + Debug + Send + Sync + 'static;
     /// A vector in memory.
     type Packed<const D: usize>: Pack<Self, D>;
 
-    /// Zero in memory.
+    /// Zero as [`store`](Self::store) stores it.
     const STORED_ZERO: Self::Stored;
+    /// Zero as [`store_weight`](Self::store_weight) stores it.
+    const NO_WEIGHT: Self::Stored;
 
+    /// Whether each component lies between `low` and what `high` has for it; false for NaN.
+    #[inline(always)]
+    fn all_between<const D: usize>(x: &[Self; D], low: Self, high: &[Self; D]) -> bool {
+        (0..D).all(|axis| x[axis] >= low && x[axis] <= high[axis])
+    }
+
+    /// ⌊x⌋; 0 for NaN.
+    fn floor(self) -> i32;
     /// Held at ±2 in fixed point.
     fn store(self) -> Self::Stored;
     /// As [`store`](Self::store) for what is known to lie within ±2; the low bits of what does not.
@@ -105,7 +103,6 @@ macro_rules! float {
     ($($Float:ty: $zero:expr),+) => {$(
         impl Compact for $Float {
             type Near = Self;
-            type Place<const D: usize> = [Self; D];
 
             #[inline(always)]
             fn offset(self, other: Self) -> Self {
@@ -115,30 +112,6 @@ macro_rules! float {
             #[inline(always)]
             fn from_near(near: Self) -> Self {
                 near
-            }
-        }
-
-        impl<const D: usize> Place<$Float, D> for [$Float; D] {
-            const ORIGIN: Self = [$zero; D];
-
-            #[inline(always)]
-            fn new(x: &Self) -> Self {
-                *x
-            }
-
-            #[inline(always)]
-            fn coordinates(&self) -> Self {
-                *self
-            }
-
-            #[inline(always)]
-            fn moved(&self, way: &Self) -> Self {
-                vector::add(self, way)
-            }
-
-            #[inline(always)]
-            fn from(&self, origin: &Self) -> Self {
-                vector::sub(self, origin)
             }
         }
 
@@ -171,6 +144,7 @@ macro_rules! float {
             type Packed<const D: usize> = [Self; D];
 
             const STORED_ZERO: Self = $zero;
+            const NO_WEIGHT: Self = $zero;
 
             #[inline(always)]
             fn held(self, limit: Self) -> Self {
@@ -183,6 +157,11 @@ macro_rules! float {
                 } else {
                     Self::ZERO
                 }
+            }
+
+            #[inline(always)]
+            fn floor(self) -> i32 {
+                self.floor_to_i32()
             }
 
             #[inline(always)]

@@ -22,7 +22,6 @@ pub(super) struct PositionBased<T: Compact, const D: usize> {
     walls: OpenBox<T, D>,
     particles: Vec<Particle<T, D>>,
     starts: Vec<u32>,
-    ends: Vec<u32>,
     gravity: fn(f64) -> [f64; D],
     /// h in metres, Δt in seconds.
     unit: f64,
@@ -52,7 +51,6 @@ impl<T: Compact, const D: usize> PositionBased<T, D> {
             walls: OpenBox::new(in_units),
             particles: Vec::new(),
             starts: vec![0; cells],
-            ends: vec![0; cells],
             gravity: setup.gravity_at,
             unit,
             dt: interval / (interval / longest).ceil(),
@@ -72,8 +70,7 @@ impl<T: Compact, const D: usize> PositionBased<T, D> {
     }
 
     fn solver(&mut self) -> Result<BorrowedFluid<'_, T, OpenBox<T, D>, D>, Error> {
-        let (starts, ends) = (&mut self.starts, &mut self.ends);
-        BorrowedFluid::new(&self.walls, Settings::DEFAULT, &mut self.particles, starts, ends)
+        BorrowedFluid::new(&self.walls, Settings::DEFAULT, &mut self.particles, &mut self.starts)
     }
 
     /// ρ/ρ₀ of each particle: the kernel's sum over the fluid, and the walls' share.
@@ -90,7 +87,7 @@ impl<T: Compact, const D: usize> PositionBased<T, D> {
         let density = |(x, particle): (&[f64; D], &Particle<T, D>)| {
             let mut sum = 0.0;
             search.for_each(x, 1.0, |neighbour| sum += Poly6::profile(neighbour.distance_squared.sqrt()));
-            let wall = self.walls.wall(&particle.position());
+            let wall = self.walls.wall(&particle.position().map(T::near));
             let share = wall.map_or(T::ZERO, |wall| T::from_near(wall.share));
             volume * sum + share.to_f64()
         };

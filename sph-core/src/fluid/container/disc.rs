@@ -1,6 +1,6 @@
 //! A disc, in three dimensions a ball.
 
-use super::{Container, Wall, hold, kept};
+use super::{Container, Wall, hold};
 use crate::Arithmetic;
 use crate::scalar::compact::{Compact, Near};
 use crate::vector::{norm_squared, scale};
@@ -37,31 +37,31 @@ impl<T: Compact, const D: usize> Container<T, D> for Disc<T> {
         self.relative(x).1 <= T::ONE
     }
 
-    fn wall(&self, x: &[T; D]) -> Option<Wall<T::Near, D>> {
-        let (u, square) = self.relative(x);
+    fn wall(&self, x: &[T::Near; D]) -> Option<Wall<T::Near, D>> {
+        let (u, square) = self.relative(&x.map(T::from_near));
         let inner = T::ONE - T::ONE / self.radius;
         if square < inner * inner {
             return None;
         }
         let length = square.sqrt();
         let d = ((T::ONE - length) * self.radius).max(T::ZERO);
-        let normal = u.map(|along| (-along / length).offset(T::ZERO));
+        let normal = u.map(|along| (-along / length).near());
         if length > T::ZERO && d < T::ONE {
-            Wall::plane(d.offset(T::ZERO), normal.map(|n| n.held(T::Near::ONE)))
+            Wall::plane(d.near(), normal.map(|n| n.held(T::Near::ONE)))
         } else {
             None
         }
     }
 
-    fn confine(&self, from: &[T; D], to: [T; D], gap: T) -> [T; D] {
-        let edge = self.radius + self.radius;
-        let to = kept(&to.map(|coordinate| hold(coordinate, edge, T::ZERO)));
-        let (u, square) = self.relative(&to);
+    fn confine(&self, from: &[T::Near; D], to: [T::Near; D], gap: T::Near) -> [T::Near; D] {
+        let edge = (self.radius + self.radius).near();
+        let to = to.map(|coordinate| hold(coordinate, edge, T::Near::ZERO));
+        let (u, square) = self.relative(&to.map(T::from_near));
         if square <= T::ONE {
             return to;
         }
-        let back = scale(&u, (self.radius - gap) / square.sqrt());
-        let to = kept(&back.map(|along| along + self.radius));
-        if self.contains(&to) { to } else { *from }
+        let back = scale(&u, (self.radius - T::from_near(gap)) / square.sqrt());
+        let to = back.map(|along| (along + self.radius).near());
+        if self.contains(&to.map(T::from_near)) { to } else { *from }
     }
 }

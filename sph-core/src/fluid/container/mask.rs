@@ -1,6 +1,6 @@
 //! A bitmap as container.
 
-use super::{Container, Wall, half_space, hold, kept};
+use super::{Container, Wall, half_space, hold};
 use crate::scalar::compact::{Compact, Near};
 use crate::{Arithmetic, Error, Parameter, check};
 
@@ -102,6 +102,11 @@ impl<'a, T: Compact> Mask<'a, T> {
     }
 }
 
+/// x as a particle keeps it.
+fn kept<T: Compact>(x: T) -> T {
+    T::from_near(x.near())
+}
+
 /// The kernel's mass beyond an edge, and the pull of particles there.
 fn marginal<T: Compact>(edge: T) -> (T::Near, T::Near) {
     if edge >= T::ONE {
@@ -110,7 +115,7 @@ fn marginal<T: Compact>(edge: T) -> (T::Near, T::Near) {
     if edge <= -T::ONE {
         return (T::Near::ONE, T::Near::ZERO);
     }
-    let d = edge.abs().offset(T::ZERO);
+    let d = edge.abs().near();
     let share = half_space::share::<T::Near, 2>(d);
     (if edge < T::ZERO { T::Near::ONE - share } else { share }, half_space::push::<T::Near, 2>(d))
 }
@@ -129,7 +134,8 @@ impl<T: Compact> Container<T, 2> for Mask<'_, T> {
             && self.is_open(self.pixel_of(x[0]), self.pixel_of(x[1]))
     }
 
-    fn wall(&self, x: &[T; 2]) -> Option<Wall<T::Near, 2>> {
+    fn wall(&self, x: &[T::Near; 2]) -> Option<Wall<T::Near, 2>> {
+        let x = x.map(T::from_near);
         let [column, row] = x.map(|coordinate| self.pixel_of(coordinate));
         if self.all_open(column, row) {
             return None;
@@ -151,15 +157,15 @@ impl<T: Compact> Container<T, 2> for Mask<'_, T> {
     }
 
     /// One axis after the other, each up to the first wall: no step of half a pixel or less passes one.
-    fn confine(&self, from: &[T; 2], to: [T; 2], gap: T) -> [T; 2] {
-        let size: [T; 2] = self.size();
-        let mut at = *from;
+    fn confine(&self, from: &[T::Near; 2], to: [T::Near; 2], gap: T::Near) -> [T::Near; 2] {
+        let (size, to, gap): ([T; 2], _, _) = (self.size(), to.map(T::from_near), T::from_near(gap));
+        let mut at = from.map(T::from_near);
         for axis in 0..2 {
             let stay = at[axis];
             let reach = self.pixel;
-            let target = hold(to[axis], size[axis], T::EPSILON).min(stay + reach).max(stay - reach);
+            let target = hold(to[axis], size[axis], T::ZERO).min(stay + reach).max(stay - reach);
             at[axis] = target;
-            at = kept(&at);
+            at[axis] = kept(at[axis]);
             if self.is_open(self.pixel_of(at[0]), self.pixel_of(at[1])) {
                 continue;
             }
@@ -169,11 +175,11 @@ impl<T: Compact> Container<T, 2> for Mask<'_, T> {
             } else {
                 (self.pixel.times(edge) + gap).min(stay)
             };
-            at = kept(&at);
+            at[axis] = kept(at[axis]);
             if !self.is_open(self.pixel_of(at[0]), self.pixel_of(at[1])) {
                 at[axis] = stay;
             }
         }
-        at
+        at.map(T::near)
     }
 }

@@ -23,7 +23,7 @@ pub use mask::Mask;
 pub use open_box::OpenBox;
 pub use shape::Shape;
 
-use crate::scalar::compact::{Compact, Near, Place};
+use crate::scalar::compact::{Compact, Near};
 
 /// What the walls do at one place.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -52,9 +52,9 @@ pub const GAP: (i32, i32) = (1, 8);
 
 /// A container for particles: which places are inside, and what its walls do.
 ///
-/// Your own needs all four methods; [`Shape`] makes one from a signed distance. The fluid trusts `confine`: what it returns
-/// must be inside, whatever it is given, NaN included, and in fixed point also when it is rounded down to 2^−14
-/// ([`Compact::Place`]).
+/// Your own needs all four methods; [`Shape`] makes one from a signed distance. Places are given as the fluid keeps them, in
+/// [`Compact::Near`]: floats as they are, fixed-point numbers in counts of 2^−14 ([`Compact::from_near`] has the scalar). The
+/// fluid trusts `confine`: what it returns must be inside, whatever it is given, NaN included.
 pub trait Container<T: Compact, const D: usize> {
     /// The upper corner of the box from 0 that the container lies in.
     fn size(&self) -> [T; D];
@@ -63,22 +63,16 @@ pub trait Container<T: Compact, const D: usize> {
     fn contains(&self, x: &[T; D]) -> bool;
 
     /// What the walls do at x; None out of their reach.
-    fn wall(&self, x: &[T; D]) -> Option<Wall<T::Near, D>>;
+    fn wall(&self, x: &[T::Near; D]) -> Option<Wall<T::Near, D>>;
 
     /// `to` where a particle can come from `from`, which is inside, in one step; else a place inside near to it, about `gap`
     /// (at most [`GAP`]) away from the wall that was in the way.
-    fn confine(&self, from: &[T; D], to: [T; D], gap: T) -> [T; D];
-}
-
-/// x as a particle keeps it.
-#[inline(always)]
-fn kept<T: Compact, const D: usize>(x: &[T; D]) -> [T; D] {
-    T::Place::new(x).coordinates()
+    fn confine(&self, from: &[T::Near; D], to: [T::Near; D], gap: T::Near) -> [T::Near; D];
 }
 
 /// x held between `gap` and `upper − gap`, and `gap` for NaN.
 #[inline(always)]
-fn hold<T: Compact>(x: T, upper: T, gap: T) -> T {
+fn hold<N: PartialOrd + Copy + core::ops::Sub<Output = N>>(x: N, upper: N, gap: N) -> N {
     let highest = upper - gap;
     if x >= gap && x <= highest {
         x

@@ -2,7 +2,7 @@
 
 use super::{Container, GAP, Wall, half_space, hold};
 use crate::Arithmetic;
-use crate::scalar::compact::Compact;
+use crate::scalar::compact::{Compact, Near};
 
 /// A box from 0 to `size`, in units of h, closed on all sides.
 ///
@@ -21,10 +21,43 @@ impl<T, const D: usize> OpenBox<T, D> {
 }
 
 impl<T: Compact, const D: usize> OpenBox<T, D> {
+    /// The upper corner.
+    #[inline(always)]
+    fn upper(&self) -> [T::Near; D] {
+        self.size.map(T::near)
+    }
+
     /// Whether every wall is `distance` away or more.
     #[inline(always)]
-    fn is_inside_by(&self, x: &[T; D], distance: T) -> bool {
-        (0..D).all(|axis| x[axis] >= distance && x[axis] <= self.size[axis] - distance)
+    fn is_inside_by(&self, x: &[T::Near; D], distance: T::Near) -> bool {
+        T::Near::all_between(x, distance, &self.upper().map(|upper| upper - distance))
+    }
+
+    /// The walls in reach of x, in a function of its own: few particles need it.
+    #[inline(never)]
+    fn touching(&self, x: &[T::Near; D]) -> Wall<T::Near, D> {
+        let upper = self.upper();
+        let mut open = [T::Near::ONE; D];
+        let mut push = [T::Near::ZERO; D];
+        for axis in 0..D {
+            let (lower, upper) = (x[axis], upper[axis] - x[axis]);
+            if lower < T::Near::ONE {
+                open[axis] -= half_space::share::<T::Near, D>(lower);
+                push[axis] += half_space::push::<T::Near, D>(lower);
+            }
+            if upper < T::Near::ONE {
+                open[axis] -= half_space::share::<T::Near, D>(upper);
+                push[axis] -= half_space::push::<T::Near, D>(upper);
+            }
+        }
+        product(open, push)
+    }
+
+    /// The place inside that is nearest to x but `gap` away from the walls.
+    #[inline(never)]
+    fn put_back(&self, x: &[T::Near; D], gap: T::Near) -> [T::Near; D] {
+        let upper = self.upper();
+        core::array::from_fn(|axis| hold(x[axis], upper[axis], gap))
     }
 }
 
@@ -38,38 +71,25 @@ impl<T: Compact, const D: usize> Container<T, D> for OpenBox<T, D> {
     }
 
     #[inline(always)]
-    fn wall(&self, x: &[T; D]) -> Option<Wall<T::Near, D>> {
-        if self.is_inside_by(x, T::ONE) {
+    fn wall(&self, x: &[T::Near; D]) -> Option<Wall<T::Near, D>> {
+        if self.is_inside_by(x, T::Near::ONE) {
             return None;
         }
-        let mut open = [T::Near::ONE; D];
-        let mut push = [T::Near::ZERO; D];
-        for axis in 0..D {
-            let (lower, upper) = (x[axis].offset(T::ZERO), self.size[axis].offset(x[axis]));
-            if lower < T::Near::ONE {
-                open[axis] -= half_space::share::<T::Near, D>(lower);
-                push[axis] += half_space::push::<T::Near, D>(lower);
-            }
-            if upper < T::Near::ONE {
-                open[axis] -= half_space::share::<T::Near, D>(upper);
-                push[axis] -= half_space::push::<T::Near, D>(upper);
-            }
-        }
-        Some(product(open, push))
+        Some(self.touching(x))
     }
 
     #[inline(always)]
-    fn confine(&self, _from: &[T; D], to: [T; D], gap: T) -> [T; D] {
-        if self.is_inside_by(&to, T::ratio(GAP.0, GAP.1)) {
+    fn confine(&self, _from: &[T::Near; D], to: [T::Near; D], gap: T::Near) -> [T::Near; D] {
+        if self.is_inside_by(&to, T::Near::ratio(GAP.0, GAP.1)) {
             return to;
         }
-        core::array::from_fn(|axis| hold(to[axis], self.size[axis], gap))
+        self.put_back(&to, gap)
     }
 }
 
 /// The walls across each axis together, of which each takes a share of what the others leave `open`.
 #[inline(always)]
-fn product<N: crate::scalar::compact::Near, const D: usize>(open: [N; D], mut push: [N; D]) -> Wall<N, D> {
+fn product<N: Near, const D: usize>(open: [N; D], mut push: [N; D]) -> Wall<N, D> {
     let mut all = N::ONE;
     for axis in 0..D {
         all = all * open[axis];

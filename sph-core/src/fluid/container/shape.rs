@@ -1,9 +1,9 @@
 //! Any shape that can tell the distance to its wall.
 
-use super::{Container, Wall, hold, kept};
+use super::{Container, Wall, hold};
 use crate::Arithmetic;
 use crate::scalar::compact::{Compact, Near};
-use crate::vector::scale;
+use crate::vector::{add, scale};
 
 /// A container from a signed distance: `distance(x)` gives the distance to the nearest wall, positive inside, and the unit
 /// normal of that wall, into the fluid. Lengths in units of h.
@@ -46,27 +46,28 @@ impl<T: Compact, F: Fn(&[T; D]) -> (T, [T; D]), const D: usize> Container<T, D> 
         (0..D).all(|axis| x[axis] >= T::ZERO && x[axis] <= self.size[axis]) && (self.distance)(x).0 >= T::ZERO
     }
 
-    fn wall(&self, x: &[T; D]) -> Option<Wall<T::Near, D>> {
-        let (d, normal) = (self.distance)(x);
+    fn wall(&self, x: &[T::Near; D]) -> Option<Wall<T::Near, D>> {
+        let (d, normal) = (self.distance)(&x.map(T::from_near));
         if d < T::ONE {
-            let normal = normal.map(|along| along.offset(T::ZERO).held(T::Near::ONE));
-            Wall::plane(d.max(T::ZERO).offset(T::ZERO), normal)
+            let normal = normal.map(|along| along.near().held(T::Near::ONE));
+            Wall::plane(d.max(T::ZERO).near(), normal)
         } else {
             None
         }
     }
 
-    fn confine(&self, from: &[T; D], to: [T; D], gap: T) -> [T; D] {
+    fn confine(&self, from: &[T::Near; D], to: [T::Near; D], gap: T::Near) -> [T::Near; D] {
+        let (size, gap) = (self.size.map(T::near), T::from_near(gap));
         let mut to = to;
         for _ in 0..TRIES {
-            to = kept(&core::array::from_fn(|axis| hold(to[axis], self.size[axis], T::ZERO)));
-            let (d, normal) = (self.distance)(&to);
+            to = core::array::from_fn(|axis| hold(to[axis], size[axis], T::Near::ZERO));
+            let x = to.map(T::from_near);
+            let (d, normal) = (self.distance)(&x);
             if d >= T::ZERO {
                 return to;
             }
-            let back = scale(&normal, gap - d);
-            to = kept(&core::array::from_fn(|axis| to[axis] + back[axis]));
+            to = add(&x, &scale(&normal, gap - d)).map(T::near);
         }
-        if self.contains(&to) { to } else { *from }
+        if self.contains(&to.map(T::from_near)) { to } else { *from }
     }
 }

@@ -1,6 +1,6 @@
 //! The solver over memory that is its caller's.
 
-use super::{Particle, Settings, check_inside};
+use super::{FARTHEST, Particle, Settings, check_inside};
 use crate::fluid::Container;
 use crate::neighbours::{CellOrder, Index};
 use crate::scalar::compact::Compact;
@@ -30,8 +30,8 @@ pub enum Pass {
 /// let walls = OpenBox::new([9.5_f32, 9.5]);
 /// let place = |k: usize| Particle::new([0.25 + 0.5 * (k % 8) as f32, 0.25 + 0.5 * (k / 8) as f32], [0.0, 0.0]);
 /// let mut particles: Vec<_> = (0..64).map(place).collect();
-/// let (mut starts, mut ends) = (vec![0_u32; 100], vec![0; 100]);
-/// let mut fluid = BorrowedFluid::new(&walls, Settings::DEFAULT, &mut particles, &mut starts, &mut ends)?;
+/// let mut starts = vec![0_u32; 100];
+/// let mut fluid = BorrowedFluid::new(&walls, Settings::DEFAULT, &mut particles, &mut starts)?;
 /// for frame in 0..60 {
 ///     fluid.step([0.0, -0.005]);
 /// }
@@ -47,19 +47,18 @@ pub struct BorrowedFluid<'a, T: Compact, C, const D: usize, I = u32> {
 }
 
 impl<'a, T: Compact, C: Container<T, D>, const D: usize, I: Index> BorrowedFluid<'a, T, C, D, I> {
-    /// The fluid of these particles. `starts` and `ends` have an element for each cell of side 1, ⌊size⌋ + 1 along an axis;
-    /// what is in them does not matter.
+    /// The fluid of these particles. `starts` has an element for each cell of side 1, ⌊size⌋ + 1 along an axis;
+    /// what is in it does not matter.
     ///
     /// # Errors
-    /// [`Error::CapacityExceeded`] where they are too short, or for more particles than `I` counts;
-    /// [`Error::NotRepresentable`] where the container ends less than 1 below the scalar's largest number;
+    /// [`Error::CapacityExceeded`] where it is too short, or for more particles than `I` counts;
+    /// [`Error::NotRepresentable`] where the container ends beyond 2¹⁶, or less than 1 below the scalar's largest number;
     /// [`Error::OutsideDomain`] for a particle that is not inside the container.
     pub fn new(
         container: &'a C,
         settings: Settings,
         particles: &'a mut [Particle<T, D>],
         starts: &'a mut [I],
-        ends: &'a mut [I],
     ) -> Result<Self, Error> {
         let (capacity, needed) = (I::MAX, particles.len());
         if needed > capacity {
@@ -68,7 +67,7 @@ impl<'a, T: Compact, C: Container<T, D>, const D: usize, I: Index> BorrowedFluid
         for (index, particle) in particles.iter().enumerate() {
             check_inside(container, particle, index)?;
         }
-        Self::trusted(container, settings, particles, (starts, ends))
+        Self::trusted(container, settings, particles, starts)
     }
 
     /// As [`new`](Self::new) for particles that are known to be inside.
@@ -76,15 +75,16 @@ impl<'a, T: Compact, C: Container<T, D>, const D: usize, I: Index> BorrowedFluid
         container: &'a C,
         settings: Settings,
         particles: &'a mut [Particle<T, D>],
-        (starts, ends): (&'a mut [I], &'a mut [I]),
+        starts: &'a mut [I],
     ) -> Result<Self, Error> {
         const { assert!(D == 2 || D == 3, "two or three dimensions") };
         let limit = T::MAX - T::ONE;
-        if !container.size().iter().all(|&length| length <= limit) {
+        let fits = |length: T| length <= limit && length.floor_to_i32() < FARTHEST;
+        if !container.size().into_iter().all(fits) {
             return Err(Error::NotRepresentable { parameter: Parameter::Axis });
         }
         let counts = container.size().map(|length| length.floor_to_i32().max(0) as usize + 1);
-        Ok(Self { container, settings, particles, order: CellOrder::new(counts, starts, ends)? })
+        Ok(Self { container, settings, particles, order: CellOrder::new(counts, starts)? })
     }
 
     /// The particles, in an order that changes from frame to frame.

@@ -18,7 +18,7 @@
 //! that pushed back with the full 2 p G of its mirror image would make the fluid tremble at rest.
 //!
 //! The unit of length is the support radius h, the particles' spacing at rest is h/2, and time counts in frames. A fixed-point
-//! scalar keeps its range for positions; within reach of each other, particles are dealt with in 16 bits
+//! scalar's positions are kept as counts of 2⁻¹⁴ in 32 bits, velocities, pushes and pressures in 16
 //! ([`compact`](crate::scalar::compact)).
 //!
 //! Sources: M. Macklin, M. Müller, *Position based fluids*, ACM Trans. Graph. 32 (2013) 104; B. Solenthaler, R. Pajarola,
@@ -40,6 +40,9 @@ pub use particle::Particle;
 pub const FASTEST: (i32, i32) = (1, 2);
 /// The largest acceleration along an axis, a fraction of h a frame².
 pub const STEEPEST: (i32, i32) = (1, 8);
+
+/// No coordinate is this large.
+const FARTHEST: i32 = 1 << 16;
 
 /// How the fluid behaves. Shares are in 1/256.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -97,7 +100,6 @@ impl Default for Settings {
 pub struct PositionBasedFluid<T: Compact, C, const D: usize, const CAP: usize, const CELLS: usize, I = u16> {
     container: C,
     starts: [I; CELLS],
-    ends: [I; CELLS],
     particles: [Particle<T, D>; CAP],
     len: I,
     settings: Settings,
@@ -138,14 +140,7 @@ impl<T: Compact, C, I: Index, const D: usize, const CAP: usize, const CELLS: usi
     pub const fn with_settings(container: C, settings: Settings) -> Self {
         const { assert!(D == 2 || D == 3, "two or three dimensions") };
         let particles = [Particle::AT_ORIGIN; CAP];
-        Self {
-            container,
-            starts: [I::ZERO; CELLS],
-            ends: [I::ZERO; CELLS],
-            particles,
-            len: I::ZERO,
-            settings,
-        }
+        Self { container, starts: [I::ZERO; CELLS], particles, len: I::ZERO, settings }
     }
 
     /// How it behaves, to be changed at any time.
@@ -176,10 +171,10 @@ impl<T: Compact, C, I: Index, const D: usize, const CAP: usize, const CELLS: usi
     /// Removes the particle at `index` and puts the last one there; None where there is none.
     pub fn remove(&mut self, index: usize) -> Option<Particle<T, D>> {
         let last = self.len().checked_sub(1)?;
-        let removed = *self.particles().get(index)?;
-        self.particles.swap(index, last);
+        let moved = *self.particles().get(last)?;
+        let place = self.particles.get_mut(index).filter(|_| index <= last)?;
         self.len = I::from_usize(last);
-        Some(removed)
+        Some(core::mem::replace(place, moved))
     }
 
     /// Removes the particles that `keep` says no to.
@@ -224,7 +219,7 @@ impl<T: Compact, C: Container<T, D>, I: Index, const D: usize, const CAP: usize,
     /// [`Error::CapacityExceeded`] where the container has more than `CELLS` cells; the fluid is then empty.
     pub fn borrowed(&mut self) -> Result<BorrowedFluid<'_, T, C, D, I>, Error> {
         let particles = self.particles.get_mut(..self.len.to_usize()).unwrap_or_default();
-        BorrowedFluid::trusted(&self.container, self.settings, particles, (&mut self.starts, &mut self.ends))
+        BorrowedFluid::trusted(&self.container, self.settings, particles, &mut self.starts)
     }
 
     /// Adds a particle.
@@ -281,5 +276,5 @@ fn near_held<T: Compact>(value: T, limit: (i32, i32)) -> T::Near {
     } else {
         T::ZERO
     };
-    value.offset(T::ZERO).held(ratio(limit))
+    value.near().held(ratio(limit))
 }

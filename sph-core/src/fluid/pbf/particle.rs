@@ -1,6 +1,10 @@
 //! One particle of the fluid, as it lies in memory.
 
-use crate::scalar::compact::{Compact, Near, Pack, Place};
+use super::FARTHEST;
+use crate::Arithmetic;
+use crate::fluid::Container;
+use crate::scalar::compact::{Compact, Near, Pack};
+use crate::vector::{add, sub};
 
 pub(super) type Stored<T> = <<T as Compact>::Near as Near>::Stored;
 pub(super) type Packed<T, const D: usize> = <<T as Compact>::Near as Near>::Packed<D>;
@@ -10,7 +14,7 @@ pub(super) type Packed<T, const D: usize> = <<T as Compact>::Near as Near>::Pack
 /// In two dimensions 36 bytes for f32 and 24 for any fixed-point scalar, whose position is kept to 2^−14.
 #[derive(Clone, Copy, Debug)]
 pub struct Particle<T: Compact, const D: usize> {
-    pub(super) place: T::Place<D>,
+    pub(super) place: [T::Near; D],
     pub(super) velocity: Packed<T, D>,
     /// The displacement gathered so far.
     pub(super) push: Packed<T, D>,
@@ -23,10 +27,10 @@ pub struct Particle<T: Compact, const D: usize> {
 
 impl<T: Compact, const D: usize> Particle<T, D> {
     pub(super) const AT_ORIGIN: Self = Self {
-        place: T::Place::ORIGIN,
+        place: [T::Near::ZERO; D],
         velocity: Packed::<T, D>::ZERO,
         push: Packed::<T, D>::ZERO,
-        load: T::Near::STORED_ZERO,
+        load: T::Near::NO_WEIGHT,
         pressure: T::Near::STORED_ZERO,
         reach: 0,
     };
@@ -34,10 +38,10 @@ impl<T: Compact, const D: usize> Particle<T, D> {
     /// A particle at `position` with `velocity`, which is held at ±1. A coordinate that is not finite, or beyond ±2¹⁶,
     /// is taken as −1, which lies in no container.
     pub fn new(position: [T; D], velocity: [T; D]) -> Self {
-        let outside = |x: T| !x.is_finite() || x.floor_to_i32().unsigned_abs() > 1 << 16;
+        let outside = |x: T| !x.is_finite() || x.floor_to_i32().unsigned_abs() > FARTHEST as u32;
         let position = position.map(|x| if outside(x) { -T::ONE } else { x });
         let velocity = Pack::pack(velocity.map(|v| super::near_held(v, (1, 1))));
-        Self { place: T::Place::new(&position), velocity, ..Self::AT_ORIGIN }
+        Self { place: position.map(T::near), velocity, ..Self::AT_ORIGIN }
     }
 
     /// With the pressure that its last frame ended with: position, velocity and pressure are all that a frame hands on.
@@ -45,17 +49,22 @@ impl<T: Compact, const D: usize> Particle<T, D> {
         Self { pressure: super::near_held(pressure, (1, 1)).store(), ..self }
     }
 
-    /// Moves it to x, and adds the way to `velocity`.
+    /// Moves it by `way` as far as the container lets it, and adds the way it went to `velocity`.
     #[inline(always)]
-    pub(super) fn move_to(&mut self, x: &[T; D], velocity: Packed<T, D>) {
-        let place = T::Place::new(x);
-        self.velocity = velocity.plus(place.from(&self.place));
-        self.place = place;
+    pub(super) fn advance<C: Container<T, D>>(
+        &mut self,
+        way: &[T::Near; D],
+        velocity: Packed<T, D>,
+        (container, gap): (&C, T::Near),
+    ) {
+        let from = self.place;
+        self.place = container.confine(&from, add(&from, way), gap);
+        self.velocity = velocity.plus(Pack::pack(sub(&self.place, &from)));
     }
 
     /// Where it is, in units of h.
     pub fn position(&self) -> [T; D] {
-        self.place.coordinates()
+        self.place.map(T::from_near)
     }
 
     /// How far it moved in the last frame, in units of h.

@@ -6,8 +6,8 @@ use crate::Arithmetic;
 use crate::fluid::Container;
 use crate::kernel::Poly6;
 use crate::neighbours::Index;
-use crate::scalar::compact::{Compact, Near, Pack, Place};
-use crate::vector::scale;
+use crate::scalar::compact::{Compact, Near, Pack};
+use crate::vector::{add, scale, sub};
 
 /// t = 1 − q² of a pair and its offset x_ij / h, within the support.
 #[inline(always)]
@@ -15,7 +15,7 @@ fn closeness<T: Compact, const D: usize>(
     this: &Particle<T, D>,
     other: &Particle<T, D>,
 ) -> Option<([T::Near; D], T::Near)> {
-    let offset = this.place.from(&other.place).unpack();
+    let offset = sub(&this.place, &other.place);
     let t = T::Near::ONE - T::Near::norm_squared(&offset);
     if t > T::Near::ZERO { Some((offset, t)) } else { None }
 }
@@ -24,12 +24,11 @@ impl<T: Compact, C: Container<T, D>, I: Index, const D: usize> BorrowedFluid<'_,
     pub(super) fn predict(&mut self, acceleration: [T; D]) {
         let acceleration = acceleration.map(|a| near_held(a, STEEPEST));
         let fastest = ratio(FASTEST);
+        self.order.clear();
         for (i, p) in self.particles.iter_mut().enumerate() {
-            let velocity = p.velocity.unpack();
-            let way = core::array::from_fn(|axis| (velocity[axis] + acceleration[axis]).held(fastest));
-            let to = self.container.confine(&p.place.coordinates(), p.place.moved(&way), gap(i));
-            p.move_to(&to, Pack::ZERO);
-            p.reach = self.order.cell_of(to.map(T::floor_to_i32)) as i32;
+            let way = add(&p.velocity.unpack(), &acceleration).map(|along| along.held(fastest));
+            p.advance(&way, Pack::ZERO, (self.container, gap(i)));
+            p.reach = self.order.count(p.place.map(Near::floor)) as i32;
         }
     }
 
@@ -88,13 +87,15 @@ impl<T: Compact, C: Container<T, D>, I: Index, const D: usize> BorrowedFluid<'_,
             Packed::<T, D>::ZERO,
             |p| p.reach,
             closeness,
-            |this, sum, other, (mut offset, t)| {
+            |this, sum, other, (offset, t)| {
                 let pressure = T::Near::load(this.pressure) + T::Near::load(other.pressure);
                 let mut strength = pressure * Poly6::of_complement(t);
                 if t > core {
                     strength += t - core;
                     if t == T::Near::ONE {
-                        offset = [T::Near::ratio(1, 8); D];
+                        let parting = Packed::<T, D>::pack([T::Near::ratio(1, 64); D]);
+                        *sum = sum.plus(parting);
+                        other.push = other.push.minus(parting);
                     }
                 }
                 let push = Packed::<T, D>::pack(scale(&offset, strength));
@@ -103,8 +104,7 @@ impl<T: Compact, C: Container<T, D>, I: Index, const D: usize> BorrowedFluid<'_,
             },
             |p, sum| {
                 let way = sum.plus(p.push).unpack().map(|along| along.held(limit));
-                let to = container.confine(&p.place.coordinates(), p.place.moved(&way), gap(i));
-                p.move_to(&to, p.velocity);
+                p.advance(&way, p.velocity, (container, gap(i)));
                 i = i.wrapping_add(1);
                 p.push = Pack::ZERO;
             },
@@ -121,16 +121,22 @@ fn finish_density<T: Compact, C: Container<T, D>, const D: usize>(
     weight: T::Near,
     push: Packed<T, D>,
 ) {
-    let wall = container.wall(&p.place.coordinates());
+    let wall = container.wall(&p.place);
     let share = wall.map_or(T::Near::ZERO, |wall| wall.share);
     let (rest, gain) = if D == 2 { ((100, 305), (1, 1)) } else { ((100, 496), (17, 20)) };
     let excess = (T::Near::ONE + weight + T::Near::load_weight(p.load)) * ratio(rest) + share - T::Near::ONE;
     let raw = excess * ratio(gain) + T::Near::load(p.pressure) * ratio((3, 10));
     let kept = T::Near::ratio(1, 256).times(cohesion.min(64).into());
-    let pressure = if raw > T::Near::ZERO { raw } else { raw * kept };
-    let pressure = pressure.held(ratio((1, 2)));
+    let highest = ratio((1, 2));
+    let pressure = if raw > highest {
+        highest
+    } else if raw > T::Near::ZERO {
+        raw
+    } else {
+        raw * kept
+    };
     p.pressure = pressure.store_low();
-    p.load = T::Near::STORED_ZERO;
+    p.load = T::Near::NO_WEIGHT;
     p.push = push;
     if let Some(wall) = wall {
         let on_wall = pressure * ratio(if D == 2 { (8, 5) } else { (3, 2) });
@@ -141,6 +147,6 @@ fn finish_density<T: Compact, C: Container<T, D>, const D: usize>(
 /// How far from a wall the i-th particle is put back: 1/128 to 1/8, so that what a blow presses to a wall does not stay
 /// in one line with zero thickness.
 #[inline(always)]
-fn gap<T: Compact>(i: usize) -> T {
-    T::ratio(1, 128).times((1 + (i & 15)) as i32)
+fn gap<N: Near>(i: usize) -> N {
+    N::ratio(1, 128).times((1 + (i & 15)) as i32)
 }

@@ -17,7 +17,7 @@ use sph_core::{
     Sources, Uniform, ball, difference, quadrature, vector,
 };
 
-const SAMPLES: usize = 8;
+pub(crate) const SAMPLES: usize = 8;
 
 /// Where the inputs come from; zeros to begin with, which the compiler is not told.
 pub(crate) struct Inputs {
@@ -26,7 +26,7 @@ pub(crate) struct Inputs {
 }
 
 /// Every value goes here.
-fn keep<V>(value: V) {
+pub(crate) fn keep<V>(value: V) {
     black_box(value);
 }
 
@@ -49,6 +49,20 @@ impl Inputs {
         self.in_scalar::<Saturating<I16F16>>();
         self.in_scalar::<Checked<I8F24>>();
         self.in_scalar::<Wrapping<I4F12>>();
+        self.fluids();
+    }
+
+    fn fluids(&self) {
+        self.position_based::<f32>();
+        self.position_based::<f64>();
+        self.position_based::<Fast32>();
+        self.position_based::<Saturating<I16F16>>();
+        self.position_based::<Checked<I8F24>>();
+        self.position_based::<Wrapping<I16F16>>();
+        keep(self.weakly_compressible::<f32, 2>());
+        keep(self.weakly_compressible::<f32, 3>());
+        keep(self.weakly_compressible::<f64, 2>());
+        keep(self.weakly_compressible::<Saturating<I16F16>, 2>());
     }
 
     fn in_scalar<T: Scalar>(&mut self) {
@@ -57,19 +71,23 @@ impl Inputs {
         keep(field::curl_2d(&self.vectors::<T, 2>().first_chunk().copied().unwrap_or([[T::ZERO; 2]; 2])));
     }
 
-    fn number<T: Scalar>(&self, i: usize) -> T {
+    pub(crate) fn number<T: Scalar>(&self, i: usize) -> T {
         T::from_f64(black_box(self.numbers[i % SAMPLES]))
     }
 
-    fn integer(&self, i: usize) -> u32 {
+    pub(crate) fn integer(&self, i: usize) -> u32 {
         black_box(self.integers[i % 4])
     }
 
-    fn scalars<T: Scalar>(&self) -> [T; SAMPLES] {
+    pub(crate) fn integers(&self) -> [u32; 4] {
+        black_box(self.integers)
+    }
+
+    pub(crate) fn scalars<T: Scalar>(&self) -> [T; SAMPLES] {
         core::array::from_fn(|i| self.number(i))
     }
 
-    fn vectors<T: Scalar, const D: usize>(&self) -> [[T; D]; SAMPLES] {
+    pub(crate) fn vectors<T: Scalar, const D: usize>(&self) -> [[T; D]; SAMPLES] {
         core::array::from_fn(|i| core::array::from_fn(|axis| self.number(i + axis)))
     }
 

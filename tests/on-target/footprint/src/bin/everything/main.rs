@@ -3,6 +3,7 @@
 #![no_main]
 
 mod exercise;
+mod fluids;
 
 use exercise::Inputs;
 
