@@ -1,7 +1,6 @@
 //! Sums Σ c_j W(x − x_j) and Σ c_j ∇W(x − x_j) at any points, for any coefficients c_j: masses give a density, V_j A_j an
 //! interpolated field, V_j the weights of Shepard's form.
 
-use rayon::prelude::*;
 use sph_core::kernel::Kernel;
 use sph_core::{Error, KernelInfluence, Parameter};
 
@@ -11,6 +10,7 @@ use super::set::{Cells, bounds, check_length};
 use super::simd::Real;
 use super::sort::sort;
 use super::sums::{Group, Scratch};
+use crate::parallel;
 
 /// Points that a thread takes at a time.
 const CHUNK: usize = 1024;
@@ -98,32 +98,46 @@ impl<T: Real, const D: usize> Fields<'_, T, D> {
     pub fn at<K: Kernel>(&self, points: &[[T; D]], gradient: bool) -> Result<Sums<T>, Error> {
         let constants: Vec<T> =
             self.parts.iter().map(|part| part.constant::<K>()).collect::<Result<_, _>>()?;
+        let add: AddGroup<T, D> = |group, values, reached, scratch| group.add::<K>(values, reached, scratch);
+        self.sums(add, &constants, points, gradient)
+    }
+
+    fn sums(
+        &self,
+        add: AddGroup<T, D>,
+        constants: &[T],
+        points: &[[T; D]],
+        gradient: bool,
+    ) -> Result<Sums<T>, Error> {
         let (lower, upper) = bounds(points)?;
         let radius = self.parts.first().map_or(1.0, |part| part.cells.radius.to_f64());
         let points = sort(&Layout::new(lower, upper, radius, points.len()), points);
 
-        let row = self.width * if gradient { 1 + D } else { 1 };
-        let mut values = vec![T::ZERO; row.max(1) * points.order.len()];
+        let row = (self.width * if gradient { 1 + D } else { 1 }).max(1);
+        let mut values = vec![T::ZERO; row * points.order.len()];
         let mut reached = vec![0; points.order.len()];
-        let work = values.par_chunks_mut(row.max(1) * CHUNK).zip(reached.par_chunks_mut(CHUNK)).enumerate();
-        let points = &points;
-        work.for_each_init(Scratch::default, |scratch, (chunk, (values, reached))| {
-            let groups = values.chunks_mut(row.max(1) * GROUP).zip(reached.chunks_mut(GROUP));
+        let work = values.chunks_mut(row * CHUNK).zip(reached.chunks_mut(CHUNK));
+        parallel::for_each(work, |chunk, (values, reached)| {
+            let mut scratch = Scratch::default();
+            let groups = values.chunks_mut(row * GROUP).zip(reached.chunks_mut(GROUP));
             for (group, (values, reached)) in groups.enumerate() {
                 let first = chunk * CHUNK + group * GROUP;
                 let range = first..first + reached.len();
-                for (part, &constant) in self.parts.iter().zip(&constants) {
-                    let group = Group { part, constant, points, range: range.clone(), gradient };
-                    group.add::<K>(values, reached, scratch);
+                for (part, &constant) in self.parts.iter().zip(constants) {
+                    let group = Group { part, constant, points: &points, range: range.clone(), gradient };
+                    add(&group, values, reached, &mut scratch);
                 }
             }
         });
         Ok(Sums {
-            values: unsorted(&values, row.max(1), &points.order),
+            values: unsorted(&values, row, &points.order),
             reached: unsorted(&reached, 1, &points.order),
         })
     }
 }
+
+/// [`Group::add`] for a kernel: all else is compiled once for all kernels.
+type AddGroup<T, const D: usize> = fn(&Group<'_, T, D>, &mut [T], &mut [u32], &mut Scratch<T, D>);
 
 /// Rows in the order that they had before they were sorted.
 fn unsorted<V: Copy + Default + Send + Sync>(rows: &[V], width: usize, order: &[u32]) -> Vec<V> {
@@ -132,7 +146,8 @@ fn unsorted<V: Copy + Default + Send + Sync>(rows: &[V], width: usize, order: &[
         places[index as usize] = place as u32;
     }
     let mut out = vec![V::default(); rows.len()];
-    out.par_chunks_mut(width * CHUNK).zip(places.par_chunks(CHUNK)).for_each(|(out, places)| {
+    let work = out.chunks_mut(width * CHUNK).zip(places.chunks(CHUNK));
+    parallel::for_each(work, |_, (out, places)| {
         for (out, &place) in out.chunks_exact_mut(width).zip(places) {
             out.copy_from_slice(&rows[place as usize * width..][..width]);
         }
