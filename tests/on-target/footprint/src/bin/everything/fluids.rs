@@ -1,7 +1,7 @@
 //! The fluids: position-based in every container, weakly compressible, and their display.
 
 use super::exercise::{Inputs, SAMPLES, keep};
-use sph_core::fluid::wcsph::{Cells, Forces, Limits, Liquid, Particles, Scheme, Seen, Sequential, WallState};
+use sph_core::fluid::wcsph::{Cells, Forces, Limits, Liquid, OneByOne, Particles, Scheme, Seen, Sequential};
 use sph_core::fluid::{
     BorrowedFluid, Container, Disc, EquationOfState, Mask, OpenBox, Particle, PositionBasedFluid, Raster,
     Settings, Shape,
@@ -72,26 +72,23 @@ impl Inputs {
             shift_speed: x,
         };
         let scheme = Scheme { liquid, influence, layout, mass: y };
-        let still = WallState { pressure: z, density: y, velocity: [z; D] };
         let fluid = (self.integer(1) as usize).min(SAMPLES);
-        let (mut positions, mut velocities, mut drifts) = (self.vectors(), self.vectors(), self.vectors());
-        let (mut densities, mut pressures, mut rates) = (self.scalars(), self.scalars(), self.scalars());
-        let (mut forces, mut walls) = ([Forces::NONE; SAMPLES], [still; SAMPLES]);
+        let (mut positions, mut velocities) = (self.vectors(), self.vectors());
+        let (mut densities, mut rates) = (self.scalars(), self.scalars());
+        let mut forces = [Forces::NONE; SAMPLES];
+        let search = Cells { starts: &mut [0_u8; 28], entries: &mut [0_u8; SAMPLES] };
         let mut particles = Particles {
             positions: &mut positions,
             velocities: some(&mut velocities, fluid),
             densities: some(&mut densities, fluid),
-            pressures: some(&mut pressures, fluid),
             forces: some(&mut forces, fluid),
-            drifts: some(&mut drifts, fluid),
             rates: some(&mut rates, fluid),
-            walls: some(&mut walls, SAMPLES - fluid),
             seen: &mut [Seen::NONE; SAMPLES],
-            search: Cells { starts: &mut [0_u8; 28], entries: &mut [0_u8; SAMPLES] },
+            sums: &mut OneByOne { search, executor: Sequential },
         };
-        scheme.prepare(&mut particles, &Sequential)?;
+        scheme.prepare(&mut particles)?;
         let dt = scheme.stable_step(&particles, &Limits::default());
-        scheme.step(&mut particles, dt, &Sequential)?;
+        scheme.step(&mut particles, dt)?;
         keep((particles.extremes(), scheme.longest_step(&Limits::default(), x, y)));
         Ok(())
     }
