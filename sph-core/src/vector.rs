@@ -5,31 +5,19 @@ use crate::Arithmetic;
 /// x − y
 #[inline(always)]
 pub fn sub<T: Arithmetic, const D: usize>(x: &[T; D], y: &[T; D]) -> [T; D] {
-    let mut difference = *x;
-    for axis in 0..D {
-        difference[axis] -= y[axis];
-    }
-    difference
+    core::array::from_fn(|axis| x[axis] - y[axis])
 }
 
 /// x + y
 #[inline(always)]
 pub fn add<T: Arithmetic, const D: usize>(x: &[T; D], y: &[T; D]) -> [T; D] {
-    let mut sum = *x;
-    for axis in 0..D {
-        sum[axis] += y[axis];
-    }
-    sum
+    core::array::from_fn(|axis| x[axis] + y[axis])
 }
 
 /// s x
 #[inline(always)]
 pub fn scale<T: Arithmetic, const D: usize>(x: &[T; D], s: T) -> [T; D] {
-    let mut scaled = *x;
-    for axis in 0..D {
-        scaled[axis] = scaled[axis] * s;
-    }
-    scaled
+    x.map(|component| component * s)
 }
 
 /// x · y

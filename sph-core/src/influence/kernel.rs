@@ -120,14 +120,15 @@ impl<T: Scalar, const D: usize, K: Kernel> Influence<T, D> for KernelInfluence<T
     fn gradient(&self, x: &[T; D], distance_squared: T) -> [T; D] {
         let u = scale(x, self.inverse_radius);
         let slope = K::slope_vector(&u, self.square(distance_squared));
-        scale(&scale(&slope, self.normalisation), self.inverse_radius)
+        slope.map(|component| component * self.normalisation * self.inverse_radius)
     }
 
     #[inline(always)]
     fn both(&self, x: &[T; D], distance_squared: T) -> (T, [T; D]) {
         let u = scale(x, self.inverse_radius);
         let (profile, slope) = K::profile_and_slope_vector(&u, self.square(distance_squared));
-        (self.normalisation * profile, scale(&scale(&slope, self.normalisation), self.inverse_radius))
+        let gradient = slope.map(|component| component * self.normalisation * self.inverse_radius);
+        (self.normalisation * profile, gradient)
     }
 }
 

@@ -3,7 +3,7 @@
 use std::marker::PhantomData;
 use std::ops::Range;
 
-use sph_core::vector::{norm_squared, sub};
+use sph_core::vector::norm_squared;
 
 use super::records::{Records, Wide};
 use super::rows::Share;
@@ -151,7 +151,10 @@ impl<T: Real, P: Iterator<Item = usize>, const D: usize> Job<T> for Look<'_, T, 
                 near.reserve(end + (row.len() + 1) * BLOCK);
                 for block in row {
                     let other: [Wide<T>; D] = records.positions(isa, block);
-                    let offset = sub(&x, &other);
+                    let mut offset = x;
+                    for axis in 0..D {
+                        offset[axis] -= other[axis];
+                    }
                     let square = norm_squared(&offset) * Lanes::splat(inverse_square);
                     let mask = isa.below(&square.0, &[T::ONE; BLOCK]);
                     for axis in 0..D {

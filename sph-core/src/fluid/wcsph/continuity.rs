@@ -1,7 +1,8 @@
 //! How fast the density changes: the continuity equation in difference form, and the diffusion of δ-SPH.
 
+use super::lane::{add, sub};
 use super::{Lane, Pair, Pairs, Scheme, Seen, State};
-use crate::vector::{add, dot, sub};
+use crate::vector::dot;
 use crate::{Influence, Scalar};
 
 /// The sums of one particle that make dρ/dt.

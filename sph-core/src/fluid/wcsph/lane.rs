@@ -47,6 +47,36 @@ impl<T: Scalar> Lane<T> for T {
     }
 }
 
+/// x − y. As in `crate::vector`, but in a loop, like what follows: compilers keep what closures make of several numbers in memory.
+#[inline(always)]
+pub(super) fn sub<A: Arithmetic, const D: usize>(x: &[A; D], y: &[A; D]) -> [A; D] {
+    let mut difference = *x;
+    for axis in 0..D {
+        difference[axis] -= y[axis];
+    }
+    difference
+}
+
+/// x + y
+#[inline(always)]
+pub(super) fn add<A: Arithmetic, const D: usize>(x: &[A; D], y: &[A; D]) -> [A; D] {
+    let mut sum = *x;
+    for axis in 0..D {
+        sum[axis] += y[axis];
+    }
+    sum
+}
+
+/// s x
+#[inline(always)]
+pub(super) fn scale<A: Arithmetic, const D: usize>(x: &[A; D], s: A) -> [A; D] {
+    let mut scaled = *x;
+    for axis in 0..D {
+        scaled[axis] = scaled[axis] * s;
+    }
+    scaled
+}
+
 /// x w, added axis by axis.
 #[inline(always)]
 pub(super) fn add_vector<T, A: Lane<T>, const D: usize>(sum: &mut [A::Sum; D], x: &[A; D], weight: A) {

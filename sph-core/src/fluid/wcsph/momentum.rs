@@ -1,9 +1,9 @@
 //! What accelerates a particle.
 
 use super::gradient::DensityGradient;
-use super::lane::{add_vector, total_vector};
+use super::lane::{add, add_vector, scale, sub, total_vector};
 use super::{Lane, Pair, Pairs, Scheme, Seen, State};
-use crate::vector::{add, dot, norm_squared, scale, sub};
+use crate::vector::{dot, norm_squared};
 use crate::{Influence, Scalar};
 
 /// What the sums over its neighbours give a fluid particle.
