@@ -45,6 +45,19 @@ pub(crate) fn for_each<W: Send>(work: impl Iterator<Item = W>, f: impl Fn(usize,
     });
 }
 
+/// As [`for_each`], with memory that one piece of work leaves to the next.
+pub(crate) fn for_each_with<W: Send, M: Default + Send>(
+    work: impl Iterator<Item = W>,
+    f: impl Fn(&mut M, usize, W) + Sync,
+) {
+    let left = Mutex::new(Vec::new());
+    for_each(work, |number, piece| {
+        let mut memory = within(&left).pop().unwrap_or_default();
+        f(&mut memory, number, piece);
+        within(&left).push(memory);
+    });
+}
+
 /// out[i] = f(i)
 pub(crate) fn fill<T: Send>(out: &mut [T], f: impl Fn(usize) -> T + Sync) {
     for_each(out.chunks_mut(CHUNK), |number, chunk| {
@@ -69,5 +82,12 @@ mod tests {
         assert!(sums.iter().enumerate().all(|(i, sum)| sum.0 == i));
         assert_eq!(sums.iter().map(|sum| sum.1).sum::<usize>(), numbers.iter().sum::<usize>());
         assert!(map(std::iter::empty::<u8>(), |_, _| ()).is_empty());
+        let done = Mutex::new(0);
+        for_each_with(0..50, |memory: &mut Vec<usize>, number, piece| {
+            assert_eq!(number, piece);
+            memory.push(piece);
+            *within(&done) += 1;
+        });
+        assert_eq!(*within(&done), 50);
     }
 }

@@ -117,15 +117,14 @@ impl<T: Real, const D: usize> Fields<'_, T, D> {
         let mut values = vec![T::ZERO; row * points.order.len()];
         let mut reached = vec![0; points.order.len()];
         let work = values.chunks_mut(row * CHUNK).zip(reached.chunks_mut(CHUNK));
-        parallel::for_each(work, |chunk, (values, reached)| {
-            let mut scratch = Scratch::default();
+        parallel::for_each_with(work, |scratch, chunk, (values, reached)| {
             let groups = values.chunks_mut(row * GROUP).zip(reached.chunks_mut(GROUP));
             for (group, (values, reached)) in groups.enumerate() {
                 let first = chunk * CHUNK + group * GROUP;
                 let range = first..first + reached.len();
                 for (part, &constant) in self.parts.iter().zip(constants) {
                     let group = Group { part, constant, points: &points, range: range.clone(), gradient };
-                    add(&group, values, reached, &mut scratch);
+                    add(&group, values, reached, scratch);
                 }
             }
         });
