@@ -3,9 +3,7 @@
 #![cfg(feature = "defmt")]
 
 use sph_core::field::{LinearBasis, LinearFit};
-use sph_core::fluid::wcsph::{
-    Cells, Forces, Limits, Liquid, OneByOne, Pair, Particles, Scheme, Seen, Sequential, State,
-};
+use sph_core::fluid::wcsph::{Cells, Forces, Limits, Liquid, OneByOne, Pair, Particles, Scheme, Seen, State};
 use sph_core::fluid::{
     BorrowedFluid, Disc, EquationOfState, Mask, OpenBox, Particle, PositionBasedFluid, Raster, Rejected,
     Settings, Shape, Wall,
@@ -95,10 +93,9 @@ can_be_logged!(
     Seen<T, 2>,
     Forces<T, 2>,
     Pair<T, 2>,
-    OneByOne<Cells<'static, u16>, Sequential>,
-    Particles<'static, T, 2, OneByOne<Cells<'static, u16>, Sequential>>,
+    OneByOne<Cells<'static, u16>>,
+    Particles<'static, T, 2, OneByOne<Cells<'static, u16>>>,
     Cells<'static, u16>,
-    Sequential,
 );
 
 #[cfg(feature = "fixed")]

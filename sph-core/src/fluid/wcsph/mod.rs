@@ -43,7 +43,7 @@ pub use lane::Lane;
 pub use momentum::{ForceSums, Forces};
 pub use pairs::{Cells, Pairs, Search};
 pub use step::Particles;
-pub use summation::{Executor, OneByOne, Sequential, Summation};
+pub use summation::{OneByOne, Summation};
 pub use time_step::Limits;
 pub use wall::WallSums;
 

@@ -11,7 +11,7 @@ pub trait Pairs<T, const D: usize> {
 /// Finds the neighbours of particles that move. Called twice a step, with positions that differ little from call to call.
 pub trait Search<T: Scalar, const D: usize> {
     /// The neighbours at one time.
-    type Found<'a>: Pairs<T, D> + Sync
+    type Found<'a>: Pairs<T, D>
     where
         Self: 'a;
 

@@ -30,44 +30,12 @@ pub trait Summation<T, const D: usize, W> {
     ) -> Result<(), Error>;
 }
 
-/// How a loop over particles is run: one after another, or spread over threads. Each result depends on its number alone, so
-/// every executor gives the same bits.
-pub trait Executor {
-    /// `out[i] = f(i)`
-    fn fill<U: Send>(&self, out: &mut [U], f: impl Fn(usize) -> U + Sync);
-}
-
-/// One after another.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Sequential;
-
-impl Executor for Sequential {
-    #[inline(always)]
-    fn fill<U: Send>(&self, out: &mut [U], f: impl Fn(usize) -> U + Sync) {
-        for (i, slot) in out.iter_mut().enumerate() {
-            *slot = f(i);
-        }
-    }
-}
-
 /// A search, and sums pair by pair in the order in which it finds them.
 #[derive(Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct OneByOne<S, E> {
-    /// Finds the neighbours.
-    pub search: S,
-    /// Runs the loops over particles.
-    pub executor: E,
-}
+pub struct OneByOne<S>(pub S);
 
-impl<T, const D: usize, W, S, E> Summation<T, D, W> for OneByOne<S, E>
-where
-    T: Scalar,
-    W: Influence<T, D> + Sync,
-    S: Search<T, D>,
-    E: Executor,
-{
+impl<T: Scalar, const D: usize, W: Influence<T, D>, S: Search<T, D>> Summation<T, D, W> for OneByOne<S> {
     fn rates(
         &mut self,
         scheme: &Scheme<T, D, W>,
@@ -76,9 +44,11 @@ where
         rates: &mut [T],
     ) -> Result<(), Error> {
         let fluid = rates.len();
-        let pairs = self.search.find(&scheme.layout, positions, fluid)?;
+        let pairs = self.0.find(&scheme.layout, positions, fluid)?;
         let state = State { fluid, seen };
-        self.executor.fill(rates, |i| scheme.density_rate(&pairs, &state, i).unwrap_or(T::ZERO));
+        for (i, rate) in rates.iter_mut().enumerate() {
+            *rate = scheme.density_rate(&pairs, &state, i).unwrap_or(T::ZERO);
+        }
         Ok(())
     }
 
@@ -90,12 +60,16 @@ where
         forces: &mut [Forces<T, D>],
     ) -> Result<(), Error> {
         let fluid = forces.len();
-        let pairs = self.search.find(&scheme.layout, positions, fluid)?;
+        let pairs = self.0.find(&scheme.layout, positions, fluid)?;
         if let Some((of_fluid, of_walls)) = seen.split_at_mut_checked(fluid) {
-            self.executor.fill(of_walls, |wall| scheme.wall(&pairs, of_fluid, fluid.wrapping_add(wall)));
+            for (wall, seen) in of_walls.iter_mut().enumerate() {
+                *seen = scheme.wall(&pairs, of_fluid, fluid.wrapping_add(wall));
+            }
         }
         let state = State { fluid, seen };
-        self.executor.fill(forces, |i| scheme.forces(&pairs, &state, i).unwrap_or(Forces::NONE));
+        for (i, force) in forces.iter_mut().enumerate() {
+            *force = scheme.forces(&pairs, &state, i).unwrap_or(Forces::NONE);
+        }
         Ok(())
     }
 }

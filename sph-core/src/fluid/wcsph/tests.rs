@@ -99,10 +99,7 @@ fn run_free_cloud<T: Scalar>(scheme: &Scheme<T, 2, W<T>>, steps: usize) -> ([f64
         forces: &mut [Forces::NONE; N],
         rates: &mut [T::ZERO; N],
         seen: &mut [Seen::NONE; N],
-        sums: &mut OneByOne {
-            search: Cells { starts: &mut [0_u8; 10], entries: &mut [0_u8; N] },
-            executor: Sequential,
-        },
+        sums: &mut OneByOne(Cells { starts: &mut [0_u8; 10], entries: &mut [0_u8; N] }),
     };
     scheme.prepare(&mut particles).unwrap();
     for _ in 0..steps {
@@ -243,10 +240,7 @@ fn slices_that_do_not_agree_and_lost_particles_are_errors() {
         forces: &mut [Forces::NONE; N],
         rates: &mut [0.0; N],
         seen: &mut [Seen::NONE; N],
-        sums: &mut OneByOne {
-            search: Cells { starts: &mut [0_u8; 10], entries: &mut [0_u8; N] },
-            executor: Sequential,
-        },
+        sums: &mut OneByOne(Cells { starts: &mut [0_u8; 10], entries: &mut [0_u8; N] }),
     };
     let error = scheme.prepare(&mut particles).unwrap_err();
     assert_eq!(error, crate::Error::NotFinite { parameter: crate::Parameter::Position, index: 7 });

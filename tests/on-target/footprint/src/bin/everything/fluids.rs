@@ -1,7 +1,7 @@
 //! The fluids: position-based in every container, weakly compressible, and their display.
 
 use super::exercise::{Inputs, SAMPLES, keep};
-use sph_core::fluid::wcsph::{Cells, Forces, Limits, Liquid, OneByOne, Particles, Scheme, Seen, Sequential};
+use sph_core::fluid::wcsph::{Cells, Forces, Limits, Liquid, OneByOne, Particles, Scheme, Seen};
 use sph_core::fluid::{
     BorrowedFluid, Container, Disc, EquationOfState, Mask, OpenBox, Particle, PositionBasedFluid, Raster,
     Settings, Shape,
@@ -84,7 +84,7 @@ impl Inputs {
             forces: some(&mut forces, fluid),
             rates: some(&mut rates, fluid),
             seen: &mut [Seen::NONE; SAMPLES],
-            sums: &mut OneByOne { search, executor: Sequential },
+            sums: &mut OneByOne(search),
         };
         scheme.prepare(&mut particles)?;
         let dt = scheme.stable_step(&particles, &Limits::default());
