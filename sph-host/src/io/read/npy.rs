@@ -25,21 +25,20 @@ impl Header {
 
     /// The header, from a reader that then stands at the bytes behind it.
     pub(super) fn read(input: &mut impl Read) -> Result<Self, String> {
-        let wrong = |_| "not an array of NumPy, or cut short".to_owned();
+        let wrong = || "not an array of NumPy, or cut short".to_owned();
         let mut start = [0; 8];
-        input.read_exact(&mut start).map_err(wrong)?;
+        input.read_exact(&mut start).map_err(|_| wrong())?;
         let [magic @ .., major, _minor] = start;
         if magic != *b"\x93NUMPY" {
-            return Err("not an array of NumPy, or cut short".to_owned());
+            return Err(wrong());
         }
         let mut length = [0; 4];
         let bytes = if major == 1 { 2 } else { 4 };
-        input.read_exact(&mut length[..bytes]).map_err(wrong)?;
-        let length = u32::from_le_bytes(length);
+        input.read_exact(&mut length[..bytes]).map_err(|_| wrong())?;
+        let length = u64::from(u32::from_le_bytes(length));
         let mut text = Vec::new();
-        let found = input.take(u64::from(length)).read_to_end(&mut text).map_err(wrong)?;
-        if found as u64 != u64::from(length) {
-            return Err("not an array of NumPy, or cut short".to_owned());
+        if !input.take(length).read_to_end(&mut text).is_ok_and(|found| found as u64 == length) {
+            return Err(wrong());
         }
         let header = std::str::from_utf8(&text).ok().and_then(Self::parse);
         header.ok_or_else(|| format!("the header {} is not one of NumPy", shown(&text)))
