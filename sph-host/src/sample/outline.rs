@@ -88,7 +88,7 @@ impl Outline {
         (axis, cuts)
     }
 
-    /// See the field.
+    /// What the particles are like, with two of them at the corners of the box; None before the first.
     pub(super) fn corners(&self) -> Option<Particles> {
         self.corners.clone()
     }

@@ -66,12 +66,12 @@ fn pieces_give_what_the_whole_gives() {
         folder.write("p.npz", archive(&text));
         let grid = ["40", "20,10", "12,6,6"][dim - 1];
         for (options, tolerance) in [
-            ("--support 0.12", 1e-12),
-            ("--support 0.12 --recompute-density --gradient", 1e-9),
-            ("--support-column h --estimate shepard --gradient", 1e-9),
-            ("--support 0.15 --exact --recompute-density", 1e-12),
-            ("--support 0.2 --estimate corrected --quantity b", 1e-6),
-            ("--support 0.12 --scalar f32", 2e-5),
+            ("--support 0.12", 1e-14),
+            ("--support 0.12 --recompute-density --gradient", 1e-14),
+            ("--support-column h --estimate shepard --gradient", 1e-12),
+            ("--support 0.15 --exact --recompute-density", 1e-14),
+            ("--support 0.2 --estimate corrected --quantity b", 1e-13),
+            ("--support 0.12 --scalar f32", 2e-6),
         ] {
             let words = format!("--grid {grid} {options}");
             let whole = folder.columns(&format!("sample p.csv {words}"));
@@ -97,7 +97,7 @@ fn points_of_a_file_may_lie_anywhere() {
     folder.write("q.csv", "x,y\n-5,0.1\n0.999,0.2\n0.0001,0.3\n7,7\n0.25,0.25\n");
     let whole = folder.columns("sample p.csv --at q.csv --support 0.1 --quantity a");
     let pieces = folder.columns("sample p.csv --at q.csv --support 0.1 --quantity a --chunk 100");
-    assert_alike(&whole, &pieces, 1e-12, "points");
+    assert_alike(&whole, &pieces, 1e-14, "points");
     assert_eq!(pieces.get("a")[0], 0.0);
     assert!(pieces.get("a")[4] > 0.0);
 }

@@ -82,7 +82,7 @@ fn numbers_read_back_to_the_same_bits() {
     assert_eq!(Columns::parse(&String::from_utf8(folder.bytes("out.csv")).unwrap()), printed);
     // coordinates that have gone through the file are the same points; densities at particles are summed pair by pair
     let again = folder.columns("sample demo:vortex --particles 400 --at out.csv");
-    let close = |(a, b): (&f64, &f64)| (a / b - 1.0).abs() < 1e-15 * 4.0;
+    let close = |(a, b): (&f64, &f64)| (a / b - 1.0).abs() < 4e-15;
     assert!(again.get("density").iter().zip(printed.get("density")).all(close));
     for (name, values) in printed.names.iter().zip(&printed.values).filter(|(name, _)| *name != "density") {
         assert_eq!(again.get(name), values, "{name}");
