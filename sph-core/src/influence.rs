@@ -56,7 +56,7 @@ pub trait Influence<T: Scalar, const D: usize> {
 
     /// Ω(x) and ∇Ω(x) together.
     #[inline(always)]
-    fn both(&self, x: &[T; D], distance_squared: T) -> (T, [T; D]) {
+    fn value_and_gradient(&self, x: &[T; D], distance_squared: T) -> (T, [T; D]) {
         (self.influence(distance_squared), self.gradient(x, distance_squared))
     }
 
@@ -118,8 +118,8 @@ impl<T: Scalar, const D: usize, W: Influence<T, D>> Influence<T, D> for &W {
     }
 
     #[inline(always)]
-    fn both(&self, x: &[T; D], distance_squared: T) -> (T, [T; D]) {
-        (**self).both(x, distance_squared)
+    fn value_and_gradient(&self, x: &[T; D], distance_squared: T) -> (T, [T; D]) {
+        (**self).value_and_gradient(x, distance_squared)
     }
 }
 

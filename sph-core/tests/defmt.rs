@@ -3,7 +3,9 @@
 #![cfg(feature = "defmt")]
 
 use sph_core::field::{LinearBasis, LinearFit};
-use sph_core::fluid::wcsph::{Cells, Forces, Limits, Liquid, OneByOne, Pair, Particles, Scheme, Seen, State};
+use sph_core::fluid::wcsph::{
+    CellStorage, Forces, Limits, Liquid, OneByOne, Pair, ParticleStates, Particles, Scheme, Seen,
+};
 use sph_core::fluid::{
     BorrowedFluid, Disc, EquationOfState, Mask, OpenBox, Particle, PositionBasedFluid, Raster, Rejected,
     Settings, Shape, Wall,
@@ -89,13 +91,13 @@ can_be_logged!(
     Liquid<T, 2>,
     Scheme<T, 2, KernelInfluence<T, 2, WendlandC2>>,
     Limits<T>,
-    State<'static, T, 2>,
+    ParticleStates<'static, T, 2>,
     Seen<T, 2>,
     Forces<T, 2>,
     Pair<T, 2>,
-    OneByOne<Cells<'static, u16>>,
-    Particles<'static, T, 2, OneByOne<Cells<'static, u16>>>,
-    Cells<'static, u16>,
+    OneByOne<CellStorage<'static, u16>>,
+    Particles<'static, T, 2, OneByOne<CellStorage<'static, u16>>>,
+    CellStorage<'static, u16>,
 );
 
 #[cfg(feature = "fixed")]

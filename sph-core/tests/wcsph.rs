@@ -1,7 +1,7 @@
 //! The terms of weakly compressible SPH between a few particles, against their closed forms.
 
 use sph_core::fluid::EquationOfState;
-use sph_core::fluid::wcsph::{Forces, Liquid, Scheme, Seen, State};
+use sph_core::fluid::wcsph::{Forces, Liquid, ParticleStates, Scheme, Seen};
 use sph_core::kernel::WendlandC2;
 use sph_core::{BruteForce, CellLayout, Influence, KernelInfluence};
 
@@ -41,8 +41,8 @@ fn first(
 ) -> Forces<f64, 2> {
     let search = BruteForce::new(positions).unwrap();
     let mut seen = seen.to_vec();
-    seen.iter_mut().zip(drifts).for_each(|(seen, &drift)| seen.drift = drift);
-    scheme.forces(&search, &State { fluid, seen: &seen }, 0).unwrap()
+    seen.iter_mut().zip(drifts).for_each(|(seen, &drift)| seen.shift_velocity = drift);
+    scheme.forces(&search, &ParticleStates { fluid, seen: &seen }, 0).unwrap()
 }
 
 fn near(found: f64, expected: f64) {
@@ -167,7 +167,7 @@ fn a_wall_that_does_not_pull_does_not_thin_the_fluid() {
         [(3.0, 0.0, true), (3.0, 2.0, true), (-3.0, 2.0, true), (-3.0, 0.0, false)]
     {
         let seen = [particle([speed, 0.0], 1.5, pressure), particle([0.0; 2], 1.0, 0.0)];
-        let rate = scheme.density_rate(&search, &State { fluid: 1, seen: &seen }, 0).unwrap();
+        let rate = scheme.density_rate(&search, &ParticleStates { fluid: 1, seen: &seen }, 0).unwrap();
         near(rate, if counts { MASS * speed * slope() } else { 0.0 });
     }
 }
@@ -182,8 +182,8 @@ fn a_linear_density_is_not_diffused_and_shifts_follow_it() {
     let mut seen = [particle([0.0; 2], 1.0, 0.0), particle([0.0; 2], 1.0 + 0.4 * PAIR[1][0], 0.0)];
     seen.iter_mut().for_each(|seen| seen.density_gradient = gradient);
     for drift in [[0.0; 2], [0.2, 0.5]] {
-        seen[0].drift = drift;
-        let rate = scheme.density_rate(&search, &State { fluid: 2, seen: &seen }, 0).unwrap();
+        seen[0].shift_velocity = drift;
+        let rate = scheme.density_rate(&search, &ParticleStates { fluid: 2, seen: &seen }, 0).unwrap();
         near(rate, drift[0] * gradient[0] + drift[1] * gradient[1]);
     }
 }

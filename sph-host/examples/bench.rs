@@ -11,7 +11,7 @@ use std::time::Instant;
 
 use sph_core::Uniform;
 use sph_core::kernel::CubicSpline;
-use sph_host::fast::{Cells, Level, Levels, NeighbourLists, Real};
+use sph_host::fast::{InstructionSet, NeighbourLists, RadiusOctaves, Real, SortedCells};
 
 /// Repetitions, of which the fastest counts.
 const REPETITIONS: usize = 4;
@@ -23,9 +23,9 @@ fn main() {
     };
     let (side, threads) = (number(0, 100), number(1, 1));
     let level = match words.get(2).map(String::as_str) {
-        Some("baseline") => Level::Baseline,
-        Some("avx2") => Level::Avx2,
-        _ => Level::best(),
+        Some("baseline") => InstructionSet::Baseline,
+        Some("avx2") => InstructionSet::Avx2,
+        _ => InstructionSet::best(),
     };
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
     println!("{} particles, {threads} threads, {level:?}; nanoseconds a particle or a point", side.pow(3));
@@ -44,7 +44,7 @@ fn main() {
 /// The lattice in the unit cube, and how it is treated.
 struct Set {
     side: usize,
-    level: Level,
+    level: InstructionSet,
     threads: usize,
 }
 
@@ -75,8 +75,8 @@ impl Set {
         positions
     }
 
-    fn cells<T: Real>(&self, positions: &[[T; 3]]) -> Cells<T, 3> {
-        Cells::sort(positions, self.radius()).expect("a set").at_level(self.level)
+    fn cells<T: Real>(&self, positions: &[[T; 3]]) -> SortedCells<T, 3> {
+        SortedCells::sort(positions, self.radius()).expect("a set").at_level(self.level)
     }
 
     fn densities<T: Real>(&self, name: &str, positions: &[[T; 3]], peer: Option<(&str, &str)>) {
@@ -120,7 +120,7 @@ impl Set {
             .collect();
         let masses = vec![1.0; positions.len()];
         let time = best(positions.len(), || {
-            let levels = Levels::sort(positions, &radii)?.at_level(self.level);
+            let levels = RadiusOctaves::sort(positions, &radii)?.at_level(self.level);
             levels.fields(&[&masses])?.at::<CubicSpline>(positions, false)
         });
         self.report("J1 a radius each, 1:30", time, None);

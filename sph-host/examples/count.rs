@@ -10,7 +10,7 @@ use std::process::{Command, ExitCode};
 
 use sph_core::Uniform;
 use sph_core::kernel::CubicSpline;
-use sph_host::fast::{Cells, Level, NeighbourLists};
+use sph_host::fast::{InstructionSet, NeighbourLists, SortedCells};
 
 /// Particles along an edge of the cube.
 const SIDE: usize = 24;
@@ -86,7 +86,7 @@ fn run(job: &str) {
     let positions: Vec<[f32; 3]> = (0..SIDE.pow(3))
         .map(|i| [i / (SIDE * SIDE), i / SIDE % SIDE, i % SIDE].map(|k| k as f32 + 0.5 + jitter()))
         .collect();
-    let sort = || Cells::sort(&positions, 2.6).expect("a set").at_level(Level::Avx2);
+    let sort = || SortedCells::sort(&positions, 2.6).expect("a set").at_level(InstructionSet::Avx2);
     let cells = sort();
     let numbers: Vec<f32> = positions.iter().map(|x| 1.0 + 0.1 * x[0]).collect();
     let fields = cells.fields(&[&numbers]).expect("coefficients");

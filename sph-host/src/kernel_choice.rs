@@ -201,8 +201,8 @@ impl<T: Scalar, const D: usize> Influence<T, D> for AnyInfluence<T, D> {
     }
 
     #[inline(never)]
-    fn both(&self, x: &[T; D], distance_squared: T) -> (T, [T; D]) {
-        each_variant!(self, w => w.both(x, distance_squared))
+    fn value_and_gradient(&self, x: &[T; D], distance_squared: T) -> (T, [T; D]) {
+        each_variant!(self, w => w.value_and_gradient(x, distance_squared))
     }
 }
 

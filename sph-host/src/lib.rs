@@ -5,6 +5,7 @@
 
 pub mod cli;
 pub mod demo;
+mod engine;
 pub mod failure;
 pub mod fast;
 pub mod io;

@@ -21,7 +21,7 @@ impl<T: Scalar, const D: usize, N: Neighbours<T, D>, M: PerSample<T>> Sources<T,
     pub fn density_gradient_at(&self, w: impl InfluenceOf<T, D>, x: &[T; D]) -> (T, [T; D]) {
         let (mut density, mut gradient) = (<T as Quantity<T>>::EMPTY, <[T; D] as Quantity<T>>::EMPTY);
         self.for_each(w, x, |neighbour, mass, influence| {
-            let (w, slope) = influence.both(&neighbour.offset, neighbour.distance_squared);
+            let (w, slope) = influence.value_and_gradient(&neighbour.offset, neighbour.distance_squared);
             mass.add_to(&mut density, w);
             slope.add_to(&mut gradient, mass);
         });

@@ -46,7 +46,7 @@ impl<T: Scalar, const D: usize, N: Neighbours<T, D>, M: PerSample<T>, V: PerSamp
         let (mut value_sum, mut slope_sum) = (<T as Quantity<T>>::EMPTY, <[T; D] as Quantity<T>>::EMPTY);
         self.sources.for_each(w, x, |neighbour, volume, influence| {
             if let Some(value) = self.values.get(neighbour.index) {
-                let (w, slope) = influence.both(&neighbour.offset, neighbour.distance_squared);
+                let (w, slope) = influence.value_and_gradient(&neighbour.offset, neighbour.distance_squared);
                 value.add_to(&mut value_sum, volume * w);
                 slope.add_to(&mut slope_sum, volume * value);
             }

@@ -37,7 +37,8 @@ impl<T: Scalar, const D: usize, N: Neighbours<T, D>, M: PerSample<T>, V> Field<'
         let mut weight_slope = slope;
         self.sources.for_each(w, x, |neighbour, volume, influence| {
             if let Some(value) = self.values.get(neighbour.index) {
-                let (w, gradient) = influence.both(&neighbour.offset, neighbour.distance_squared);
+                let (w, gradient) =
+                    influence.value_and_gradient(&neighbour.offset, neighbour.distance_squared);
                 [value, T::ONE].add_to(&mut sum, volume * w);
                 gradient.add_to(&mut slope, volume * value);
                 gradient.add_to(&mut weight_slope, volume);

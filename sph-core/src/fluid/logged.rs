@@ -1,6 +1,6 @@
 //! What fluids look like on a probe's console: the numbers that tell one from another, not their memory.
 
-use super::wcsph::{Cells, Particles, Scheme, State};
+use super::wcsph::{CellStorage, ParticleStates, Particles, Scheme};
 use super::{BorrowedFluid, Container, Particle, PositionBasedFluid, Shape, Wall};
 use crate::neighbours::Index;
 use crate::scalar::compact::Compact;
@@ -46,13 +46,13 @@ impl<T: Format, const D: usize, W: Format> Format for Scheme<T, D, W> {
     }
 }
 
-impl<T, const D: usize> Format for State<'_, T, D> {
+impl<T, const D: usize> Format for ParticleStates<'_, T, D> {
     fn format(&self, f: Formatter<'_>) {
         write!(f, "State with {=usize} particles of fluid", self.fluid);
     }
 }
 
-impl<I> Format for Cells<'_, I> {
+impl<I> Format for CellStorage<'_, I> {
     fn format(&self, f: Formatter<'_>) {
         write!(f, "Cells for {=usize} particles", self.entries.len());
     }

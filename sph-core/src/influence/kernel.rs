@@ -124,7 +124,7 @@ impl<T: Scalar, const D: usize, K: Kernel> Influence<T, D> for KernelInfluence<T
     }
 
     #[inline(always)]
-    fn both(&self, x: &[T; D], distance_squared: T) -> (T, [T; D]) {
+    fn value_and_gradient(&self, x: &[T; D], distance_squared: T) -> (T, [T; D]) {
         let u = scale(x, self.inverse_radius);
         let (profile, slope) = K::profile_and_slope_vector(&u, self.square(distance_squared));
         let gradient = slope.map(|component| component * self.normalisation * self.inverse_radius);

@@ -23,8 +23,8 @@ pub(super) struct KernelsArgs {
     #[arg(long, value_parser = clap::value_parser!(u32).range(1..=8))]
     dim: Option<u32>,
     /// How the constants are printed
-    #[arg(long, value_enum, default_value_t = Layout::Table)]
-    format: Layout,
+    #[arg(long, value_enum, default_value_t = TableFormat::Table)]
+    format: TableFormat,
     /// Draw the profiles f(q) and slopes f′(q) to this .png
     #[arg(long, value_name = "FILE.png")]
     plot: Option<PathBuf>,
@@ -34,7 +34,7 @@ pub(super) struct KernelsArgs {
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
-enum Layout {
+enum TableFormat {
     /// aligned columns for people
     Table,
     /// comma-separated values that read back to the same bits
@@ -83,8 +83,8 @@ pub(super) fn run(args: &KernelsArgs) -> Result<(), Failure> {
         .collect();
     let stdout = io::stdout().lock();
     to_stdout(match args.format {
-        Layout::Csv => print_csv(&rows, stdout),
-        Layout::Table => print_table(&rows, stdout),
+        TableFormat::Csv => print_csv(&rows, stdout),
+        TableFormat::Table => print_table(&rows, stdout),
     })
 }
 

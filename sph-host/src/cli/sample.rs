@@ -14,7 +14,7 @@ use crate::demo;
 use crate::failure::Failure;
 use crate::kernel_choice::KernelName;
 use crate::output::{self, Target};
-use crate::sample::{self, Estimate, Particulars, Request, Sampled, SupportFrom, Where};
+use crate::sample::{self, Estimate, ParticleSource, Request, SamplePoints, Sampled, SupportFrom};
 use crate::scalar_choice::ScalarName;
 
 /// Evaluate the fields of a particle set at points, on a grid, or at the particles themselves.
@@ -146,17 +146,17 @@ fn request(args: SampleArgs) -> Result<Request, Failure> {
     }
     let dim = args.dim.map(usize::from);
     let particles = particulars(args.particles, args.count)?;
-    if args.chunk.is_some() && matches!(particles, Particulars::Demo(..)) {
+    if args.chunk.is_some() && matches!(particles, ParticleSource::Demo(..)) {
         return Err(Failure::usage("--chunk reads a file some particles at a time, not a built-in set"));
     }
     let at = match (args.at, args.grid) {
-        (Some(path), _) => Where::At(path),
+        (Some(path), _) => SamplePoints::At(path),
         (None, Some(Counts(counts))) => {
             let bounds = args.bounds.map(|Bounds(bounds)| bounds);
             check_dimensions(&counts, bounds.as_deref(), dim)?;
-            Where::Grid { counts, bounds }
+            SamplePoints::Grid { counts, bounds }
         }
-        (None, None) => Where::AtParticles,
+        (None, None) => SamplePoints::AtParticles,
     };
     // An explicit value wins over a column.
     let support =
@@ -185,17 +185,17 @@ fn request(args: SampleArgs) -> Result<Request, Failure> {
     })
 }
 
-fn particulars(words: PathBuf, count: Option<usize>) -> Result<Particulars, Failure> {
+fn particulars(words: PathBuf, count: Option<usize>) -> Result<ParticleSource, Failure> {
     if let Some(name) = words.to_str().and_then(|words| words.strip_prefix("demo:")) {
         if demo::SETS.iter().all(|(known, _)| *known != name) {
             return Err(demo::unknown(name));
         }
-        return Ok(Particulars::Demo(name.to_owned(), count));
+        return Ok(ParticleSource::Demo(name.to_owned(), count));
     }
     if count.is_some() {
         return Err(Failure::usage("--particles N sizes a built-in set, not a file"));
     }
-    Ok(Particulars::File(words))
+    Ok(ParticleSource::File(words))
 }
 
 fn check_dimensions(counts: &[usize], bounds: Option<&[f64]>, dim: Option<usize>) -> Result<(), Failure> {

@@ -1,8 +1,8 @@
 //! Candidates: runs of consecutive particles, sixteen at a time.
 
-use super::cells::Layout;
+use super::cells::BandLayout;
 use super::lanes::Lanes;
-use super::set::Cells;
+use super::set::SortedCells;
 use sph_core::Arithmetic;
 
 use super::simd::{BLOCK, Real};
@@ -53,7 +53,7 @@ pub(crate) fn sixteen_mut<V>(list: &mut [V], first: usize) -> &mut [V; BLOCK] {
 /// blocks; returns where they end then.
 #[inline(always)]
 pub(super) fn candidates<T: Real, const D: usize>(
-    cells: &Cells<T, D>,
+    cells: &SortedCells<T, D>,
     lower: &[T; D],
     upper: &[T; D],
     from: usize,
@@ -61,7 +61,7 @@ pub(super) fn candidates<T: Real, const D: usize>(
     mut end: usize,
 ) -> usize {
     let runs = cells.layout.runs(&lower.map(|c| c.to_f64()), &upper.map(|c| c.to_f64()));
-    for run in &runs[..Layout::<D>::RUNS] {
+    for run in &runs[..BandLayout::<D>::RUNS] {
         let (first, last) = cells.sorted.range(run);
         let first = first.max(from as u32);
         let size = last.saturating_sub(first);

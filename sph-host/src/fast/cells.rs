@@ -8,7 +8,7 @@ const SLICES: f64 = 4.0;
 
 /// Which cell a position is in. Everything is computed in f64, which holds f32 positions exactly.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Layout<const D: usize> {
+pub(super) struct BandLayout<const D: usize> {
     lower: [f64; D],
     /// Cells per length.
     inverse: [f64; D],
@@ -29,7 +29,7 @@ pub(super) struct Run {
 /// More than there are rows that a ball can touch, which are nine in three dimensions.
 const ROWS: usize = 16;
 
-impl<const D: usize> Layout<D> {
+impl<const D: usize> BandLayout<D> {
     /// Cells over a box; at most some two a particle, so that a box of any size has bounded cells.
     pub(super) fn new(lower: [f64; D], upper: [f64; D], radius: f64, particles: usize) -> Self {
         let size = lower.iter().chain(&upper).fold(0.0_f64, |size, x| size.max(x.abs()));

@@ -2,7 +2,7 @@
 
 use super::blocks::{Block, candidates, reserve, sixteen, sixteen_mut, squares};
 use super::lanes::Lanes;
-use super::set::Cells;
+use super::set::SortedCells;
 use super::simd::{BLOCK, Isa, Job, Real};
 use super::sort::Sorted;
 
@@ -42,7 +42,7 @@ impl Span {
 
 /// Finds what is in reach of some consecutive points of a sorted set.
 pub(super) struct Collect<'a, T, const D: usize> {
-    pub(super) cells: &'a Cells<T, D>,
+    pub(super) cells: &'a SortedCells<T, D>,
     pub(super) own_limits: Option<&'a [T]>,
     pub(super) points: &'a Sorted<T, D>,
     pub(super) range: std::ops::Range<usize>,
@@ -88,7 +88,7 @@ impl<T: Real, const D: usize> Job<T> for Collect<'_, T, D> {
 #[inline(always)]
 fn near<T: Real, const D: usize, I: Isa<T>>(
     isa: I,
-    cells: &Cells<T, D>,
+    cells: &SortedCells<T, D>,
     own_limits: Option<&[T]>,
     x: &[T; D],
     blocks: &mut [Block],
@@ -110,7 +110,7 @@ fn near<T: Real, const D: usize, I: Isa<T>>(
 #[inline(always)]
 pub(crate) fn list_places<T: Real, const D: usize, I: Isa<T>>(
     isa: I,
-    cells: &Cells<T, D>,
+    cells: &SortedCells<T, D>,
     x: &[T; D],
     blocks: &mut Vec<Block>,
     places: &mut Vec<u32>,

@@ -6,17 +6,17 @@ use std::ops::Range;
 use sph_core::kernel::Kernel;
 use sph_core::{Error, KernelInfluence, Parameter, PerSample};
 
-use super::around::Around;
 use super::cells::Run;
-use super::pairs::{Gather, Pairs, Scratch};
-use super::set::{Cells, check_length};
+use super::pairs::{Gather, PairScratch, Pairs};
+use super::set::{SortedCells, check_length};
+use super::shared_neighbourhood::SharedNeighbourhood;
 use super::simd::Real;
 use crate::parallel;
 
 /// Particles that a thread takes at a time.
 const CHUNK: usize = 4096;
 
-impl<T: Real, const D: usize> Cells<T, D> {
+impl<T: Real, const D: usize> SortedCells<T, D> {
     /// ρ_i at every particle, itself included, in the order of the input. Masses are a slice, or one
     /// [`Uniform`](sph_core::Uniform) value; one that is not finite spoils the densities around it.
     ///
@@ -25,9 +25,9 @@ impl<T: Real, const D: usize> Cells<T, D> {
     ///
     /// ```
     /// use sph_core::{Uniform, kernel::CubicSpline};
-    /// use sph_host::fast::Cells;
+    /// use sph_host::fast::SortedCells;
     /// let row: Vec<[f64; 1]> = (0..100).map(|i| [0.1 * f64::from(i)]).collect();
-    /// let density = Cells::sort(&row, 0.4)?.density::<CubicSpline>(Uniform(0.1))?;
+    /// let density = SortedCells::sort(&row, 0.4)?.density::<CubicSpline>(Uniform(0.1))?;
     /// assert!((density[50] - 1.0).abs() < 1e-12);
     /// # Ok::<(), sph_core::Error>(())
     /// ```
@@ -59,12 +59,17 @@ impl<T: Real, const D: usize> Cells<T, D> {
     }
 
     /// What pairs with some consecutive particles contribute to them and to those that come later.
-    fn window(&self, pairs: AddPairs<T, D>, particles: Range<usize>, masses: Option<&[T]>) -> Window<T> {
-        let mut window = Window::new(self.later(&particles));
-        let mut scratch = Scratch::default();
+    fn window(
+        &self,
+        pairs: AddPairs<T, D>,
+        particles: Range<usize>,
+        masses: Option<&[T]>,
+    ) -> ScatterBuffer<T> {
+        let mut window = ScatterBuffer::new(self.later(&particles));
+        let mut scratch = PairScratch::default();
         let mut rest = particles;
         while !rest.is_empty() {
-            let group = Around::group(self, &rest);
+            let group = SharedNeighbourhood::group(self, &rest);
             let around = &mut scratch.around;
             T::dispatch(self.level, Gather { cells: self, group: group.clone(), around });
             pairs(self, group.clone(), masses, &mut scratch);
@@ -97,25 +102,25 @@ impl<T: Real, const D: usize> Cells<T, D> {
 }
 
 /// Runs [`Pairs`] with some kernel: the one function here that is compiled for each.
-type AddPairs<T, const D: usize> = fn(&Cells<T, D>, Range<usize>, Option<&[T]>, &mut Scratch<T, D>);
+type AddPairs<T, const D: usize> = fn(&SortedCells<T, D>, Range<usize>, Option<&[T]>, &mut PairScratch<T, D>);
 
 fn add_pairs<T: Real, K: Kernel, const D: usize>(
-    cells: &Cells<T, D>,
+    cells: &SortedCells<T, D>,
     group: Range<usize>,
     masses: Option<&[T]>,
-    scratch: &mut Scratch<T, D>,
+    scratch: &mut PairScratch<T, D>,
 ) {
     T::dispatch(cells.level, Pairs { cells, group, masses, scratch, kernel: PhantomData::<K> });
 }
 
 /// Sums at ranges of places.
-struct Window<T> {
+struct ScatterBuffer<T> {
     ranges: Vec<Range<usize>>,
     /// Range by range.
     sums: Vec<T>,
 }
 
-impl<T: Real> Window<T> {
+impl<T: Real> ScatterBuffer<T> {
     fn new(ranges: Vec<Range<usize>>) -> Self {
         let length = ranges.iter().map(ExactSizeIterator::len).sum();
         Self { ranges, sums: vec![T::ZERO; length] }

@@ -4,12 +4,12 @@
 use sph_core::kernel::Kernel;
 use sph_core::{Error, KernelInfluence, Parameter};
 
-use super::cells::Layout;
-use super::levels::Own;
-use super::set::{Cells, bounds, check_length};
+use super::cells::BandLayout;
+use super::radius_octaves::OwnRadii;
+use super::set::{SortedCells, bounds, check_length};
 use super::simd::Real;
 use super::sort::sort;
-use super::sums::{Group, Scratch};
+use super::sums::{Group, PointScratch};
 use crate::parallel;
 
 /// Points that a thread takes at a time.
@@ -17,7 +17,7 @@ const CHUNK: usize = 1024;
 /// Points that go through each step of the sums together.
 const GROUP: usize = 16;
 
-/// Coefficients c_j of particles in [`Cells`] or [`Levels`](super::Levels), ready to be summed anywhere.
+/// Coefficients c_j of particles in [`SortedCells`] or [`RadiusOctaves`](super::RadiusOctaves), ready to be summed anywhere.
 #[derive(Clone, Debug)]
 pub struct Fields<'a, T, const D: usize> {
     pub(super) parts: Vec<Part<'a, T, D>>,
@@ -27,9 +27,9 @@ pub struct Fields<'a, T, const D: usize> {
 /// The coefficients of the particles of one set of cells.
 #[derive(Clone, Debug)]
 pub(super) struct Part<'a, T, const D: usize> {
-    pub(super) cells: &'a Cells<T, D>,
+    pub(super) cells: &'a SortedCells<T, D>,
     /// h_j and σ_D h_j^{-D}, where each particle has its own.
-    pub(super) own: Option<&'a Own<T>>,
+    pub(super) own: Option<&'a OwnRadii<T>>,
     /// Field by field, in the order of the cells, and after the last particle a block of zeros.
     pub(super) coefficients: Vec<Vec<T>>,
 }
@@ -44,17 +44,17 @@ pub struct Sums<T> {
     pub reached: Vec<u32>,
 }
 
-impl<T: Real, const D: usize> Cells<T, D> {
+impl<T: Real, const D: usize> SortedCells<T, D> {
     /// Joins the cells with coefficients: each slice has one for each particle, in the order of the input.
     ///
     /// ```
     /// use sph_core::kernel::CubicSpline;
-    /// use sph_host::fast::Cells;
+    /// use sph_host::fast::SortedCells;
     ///
     /// // Σ V_j A_j W for A = 3x on a row of particles, V = 0.1: value and slope in the middle
     /// let row: Vec<[f64; 1]> = (0..100).map(|i| [0.1 * f64::from(i)]).collect();
     /// let field: Vec<f64> = row.iter().map(|[x]| 0.1 * 3.0 * x).collect();
-    /// let cells = Cells::sort(&row, 0.4)?;
+    /// let cells = SortedCells::sort(&row, 0.4)?;
     /// let sums = cells.fields(&[&field])?.at::<CubicSpline>(&[[5.0]], true)?;
     /// assert!((sums.values[0] - 15.0).abs() < 1e-12 && (sums.values[1] - 3.0).abs() < 1e-12);
     /// # Ok::<(), sph_core::Error>(())
@@ -72,7 +72,11 @@ impl<T: Real, const D: usize> Cells<T, D> {
 
 impl<'a, T: Real, const D: usize> Part<'a, T, D> {
     /// Sorts the coefficients; there is one for each index of the cells.
-    pub(super) fn new(cells: &'a Cells<T, D>, own: Option<&'a Own<T>>, coefficients: &[&[T]]) -> Self {
+    pub(super) fn new(
+        cells: &'a SortedCells<T, D>,
+        own: Option<&'a OwnRadii<T>>,
+        coefficients: &[&[T]],
+    ) -> Self {
         let coefficients = coefficients.iter().map(|slice| cells.sorted.column(|j| slice[j])).collect();
         Self { cells, own, coefficients }
     }
@@ -111,7 +115,7 @@ impl<T: Real, const D: usize> Fields<'_, T, D> {
     ) -> Result<Sums<T>, Error> {
         let (lower, upper) = bounds(points)?;
         let radius = self.parts.first().map_or(1.0, |part| part.cells.radius.to_f64());
-        let points = sort(&Layout::new(lower, upper, radius, points.len()), points);
+        let points = sort(&BandLayout::new(lower, upper, radius, points.len()), points);
 
         let row = (self.width * if gradient { 1 + D } else { 1 }).max(1);
         let mut values = vec![T::ZERO; row * points.order.len()];
@@ -136,7 +140,7 @@ impl<T: Real, const D: usize> Fields<'_, T, D> {
 }
 
 /// [`Group::add`] for a kernel: all else is compiled once for all kernels.
-type AddGroup<T, const D: usize> = fn(&Group<'_, T, D>, &mut [T], &mut [u32], &mut Scratch<T, D>);
+type AddGroup<T, const D: usize> = fn(&Group<'_, T, D>, &mut [T], &mut [u32], &mut PointScratch<T, D>);
 
 /// Rows in the order that they had before they were sorted.
 fn unsorted<V: Copy + Default + Send + Sync>(rows: &[V], width: usize, order: &[u32]) -> Vec<V> {

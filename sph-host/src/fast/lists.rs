@@ -4,24 +4,24 @@ use std::ops::Range;
 
 use rayon::prelude::*;
 
-use super::around::Around;
 use super::blocks::{reserve, sixteen_mut, squares};
 use super::lanes::Lanes;
-use super::set::Cells;
+use super::set::SortedCells;
+use super::shared_neighbourhood::SharedNeighbourhood;
 use super::simd::{BLOCK, Isa, Job, Real};
 
 /// Particles whose lists are in one piece of memory.
 const CHUNK: usize = 2048;
 
-/// The neighbours of every particle of some [`Cells`], itself included: those with r² < h².
+/// The neighbours of every particle of some [`SortedCells`], itself included: those with r² < h².
 ///
-/// Particles go by their places in the order of the cells, which [`Cells::order`] translates; so do their neighbours, which come
+/// Particles go by their places in the order of the cells, which [`SortedCells::order`] translates; so do their neighbours, which come
 /// in that order too. The lists of 2048 consecutive particles lie in one piece of memory without gaps, as u32; filling the
 /// same lists again takes no new memory.
 ///
 /// ```
-/// use sph_host::fast::{Cells, NeighbourLists};
-/// let cells = Cells::sort(&[[0.0_f32, 0.0], [5.0, 5.0], [0.5, 0.0]], 1.0)?;
+/// use sph_host::fast::{SortedCells, NeighbourLists};
+/// let cells = SortedCells::sort(&[[0.0_f32, 0.0], [5.0, 5.0], [0.5, 0.0]], 1.0)?;
 /// let mut lists = NeighbourLists::new();
 /// cells.neighbour_lists(&mut lists);
 /// assert_eq!(cells.order(), [0, 2, 1]);
@@ -66,12 +66,12 @@ impl NeighbourLists {
     }
 }
 
-impl<T: Real, const D: usize> Cells<T, D> {
+impl<T: Real, const D: usize> SortedCells<T, D> {
     /// Lists the neighbours of every particle, in memory that is used again.
     pub fn neighbour_lists(&self, lists: &mut NeighbourLists) {
         lists.chunks.resize_with(self.len().div_ceil(CHUNK), Chunk::default);
         let work = lists.chunks.par_iter_mut().enumerate();
-        work.for_each_init(Around::default, |around, (number, chunk)| {
+        work.for_each_init(SharedNeighbourhood::default, |around, (number, chunk)| {
             let particles = number * CHUNK..self.len().min((number + 1) * CHUNK);
             T::dispatch(self.level, Lists { cells: self, particles, around, chunk });
         });
@@ -80,9 +80,9 @@ impl<T: Real, const D: usize> Cells<T, D> {
 
 /// The lists of some consecutive particles.
 struct Lists<'a, T, const D: usize> {
-    cells: &'a Cells<T, D>,
+    cells: &'a SortedCells<T, D>,
     particles: Range<usize>,
-    around: &'a mut Around<T, D>,
+    around: &'a mut SharedNeighbourhood<T, D>,
     chunk: &'a mut Chunk,
 }
 
@@ -96,7 +96,7 @@ impl<T: Real, const D: usize> Job<T> for Lists<'_, T, D> {
         ends.clear();
         let (mut rest, mut end) = (particles, 0);
         while !rest.is_empty() {
-            let group = Around::group(cells, &rest);
+            let group = SharedNeighbourhood::group(cells, &rest);
             around.gather(isa, cells, group.clone(), 0);
             let (axes, places) = around.padded();
             reserve(out, end + group.len() * places.len() + BLOCK);

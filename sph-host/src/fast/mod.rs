@@ -1,13 +1,12 @@
 //! Sums over particles as fast as a workstation goes: sorted particles, vectors, threads.
 //!
-//! [`Cells`] sorts particles for one support radius, [`Levels`] for a radius each. They give the densities at the particles, the
+//! [`SortedCells`] sorts particles for one support radius, [`RadiusOctaves`] for a radius each. They give the densities at the particles, the
 //! lists of neighbours, and by [`Fields`] sums at any points. The mathematics is sph-core's: its kernels are evaluated on many
 //! numbers at once. What is given up is sph-core's order of summation, so the bits differ from its own, within the rounding of
-//! a sum; they do not depend on the number of threads, nor on the [`Level`] of instructions.
+//! a sum; they do not depend on the number of threads, nor on the [`InstructionSet`] of instructions.
 //!
 //! What bounds each job, and how near to that the code comes, is in `docs/speed.md`.
 
-mod around;
 mod blocks;
 mod cells;
 mod collect;
@@ -15,10 +14,11 @@ mod density;
 mod evaluate;
 mod fields;
 mod lanes;
-mod levels;
 mod lists;
 mod pairs;
+mod radius_octaves;
 mod set;
+mod shared_neighbourhood;
 mod simd;
 mod sort;
 mod sums;
@@ -30,7 +30,7 @@ pub(crate) use lanes::Lanes;
 pub(crate) use simd::{BLOCK, Isa, Job};
 
 pub use fields::{Fields, Sums};
-pub use levels::Levels;
 pub use lists::NeighbourLists;
-pub use set::Cells;
-pub use simd::{Level, Real};
+pub use radius_octaves::RadiusOctaves;
+pub use set::SortedCells;
+pub use simd::{InstructionSet, Real};

@@ -6,18 +6,18 @@ use std::ops::Range;
 use sph_core::Arithmetic;
 use sph_core::kernel::Kernel;
 
-use super::around::{Around, GROUP};
 use super::blocks::{reserve, sixteen, squares};
 use super::evaluate::{profile, totals};
 use super::lanes::Lanes;
-use super::set::Cells;
+use super::set::SortedCells;
+use super::shared_neighbourhood::{GROUP, SharedNeighbourhood};
 use super::simd::{BLOCK, Isa, Job, Real};
 
 /// Copies what is in reach of a group and comes no earlier than it.
 pub(super) struct Gather<'a, T, const D: usize> {
-    pub(super) cells: &'a Cells<T, D>,
+    pub(super) cells: &'a SortedCells<T, D>,
     pub(super) group: Range<usize>,
-    pub(super) around: &'a mut Around<T, D>,
+    pub(super) around: &'a mut SharedNeighbourhood<T, D>,
 }
 
 impl<T: Real, const D: usize> Job<T> for Gather<'_, T, D> {
@@ -31,26 +31,26 @@ impl<T: Real, const D: usize> Job<T> for Gather<'_, T, D> {
 
 /// Memory that is used again, a number for each particle around a group.
 #[derive(Clone, Debug)]
-pub(super) struct Scratch<T, const D: usize> {
-    pub(super) around: Around<T, D>,
+pub(super) struct PairScratch<T, const D: usize> {
+    pub(super) around: SharedNeighbourhood<T, D>,
     /// m_j, where these are not all 1.
     masses: Vec<T>,
     /// What was summed at each particle around.
     pub(super) sums: Vec<T>,
 }
 
-impl<T, const D: usize> Default for Scratch<T, D> {
+impl<T, const D: usize> Default for PairScratch<T, D> {
     fn default() -> Self {
-        Self { around: Around::default(), masses: Vec::new(), sums: Vec::new() }
+        Self { around: SharedNeighbourhood::default(), masses: Vec::new(), sums: Vec::new() }
     }
 }
 
 /// Sums m_j f(q) over what is around a group, for the particles of the group, which are first in it, and for the others.
 pub(super) struct Pairs<'a, T, K, const D: usize> {
-    pub(super) cells: &'a Cells<T, D>,
+    pub(super) cells: &'a SortedCells<T, D>,
     pub(super) group: Range<usize>,
     pub(super) masses: Option<&'a [T]>,
-    pub(super) scratch: &'a mut Scratch<T, D>,
+    pub(super) scratch: &'a mut PairScratch<T, D>,
     pub(super) kernel: PhantomData<K>,
 }
 
@@ -66,7 +66,7 @@ impl<T: Real, K: Kernel, const D: usize> Job<T> for Pairs<'_, T, K, D> {
 impl<T: Real, K: Kernel, const D: usize> Pairs<'_, T, K, D> {
     #[inline(always)]
     fn all<const MASSES: bool>(self) {
-        let Scratch { around, masses, sums } = self.scratch;
+        let PairScratch { around, masses, sums } = self.scratch;
         let (axes, places) = around.padded();
         let length = places.len();
         reserve(sums, length);

@@ -5,31 +5,31 @@ use std::ops::Range;
 use rayon::prelude::*;
 use sph_core::{Error, Parameter, Scalar};
 
-use super::cells::Layout;
-use super::simd::{Level, Real};
+use super::cells::BandLayout;
+use super::simd::{InstructionSet, Real};
 use super::sort::{Sorted, sort};
 
 /// Particles sorted into cells for one support radius h: what every sum and search starts from.
 ///
 /// ```
 /// use sph_core::{Uniform, kernel::WendlandC2};
-/// use sph_host::fast::Cells;
+/// use sph_host::fast::SortedCells;
 ///
 /// let positions: Vec<[f32; 2]> = (0..400).map(|i| [(i % 20) as f32, (i / 20) as f32]).collect();
-/// let cells = Cells::sort(&positions, 2.5)?;
+/// let cells = SortedCells::sort(&positions, 2.5)?;
 /// let density = cells.density::<WendlandC2>(Uniform(1.0))?;
 /// assert!((density[210] - 1.0138).abs() < 1e-4); // the lattice error of this kernel is 1.4 %
 /// # Ok::<(), sph_core::Error>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct Cells<T, const D: usize> {
-    pub(super) layout: Layout<D>,
+pub struct SortedCells<T, const D: usize> {
+    pub(super) layout: BandLayout<D>,
     pub(super) sorted: Sorted<T, D>,
     pub(super) radius: T,
-    pub(super) level: Level,
+    pub(super) level: InstructionSet,
 }
 
-impl<T: Real, const D: usize> Cells<T, D> {
+impl<T: Real, const D: usize> SortedCells<T, D> {
     /// Sorts particles in 1 to 3 dimensions for the support radius h.
     ///
     /// # Errors
@@ -44,14 +44,14 @@ impl<T: Real, const D: usize> Cells<T, D> {
             return Err(Error::CapacityExceeded { parameter: Parameter::Position, capacity, needed });
         }
         let (lower, upper) = bounds(positions)?;
-        let layout = Layout::new(lower, upper, radius.to_f64(), positions.len());
-        Ok(Self { layout, sorted: sort(&layout, positions), radius, level: Level::best() })
+        let layout = BandLayout::new(lower, upper, radius.to_f64(), positions.len());
+        Ok(Self { layout, sorted: sort(&layout, positions), radius, level: InstructionSet::best() })
     }
 
     /// The same with the code of another instruction set: the bits are the same, the time is not. A level that the
     /// processor does not have is taken as the best below it.
     #[must_use]
-    pub fn at_level(self, level: Level) -> Self {
+    pub fn at_level(self, level: InstructionSet) -> Self {
         Self { level, ..self }
     }
 
@@ -83,7 +83,7 @@ impl<T: Real, const D: usize> Cells<T, D> {
     }
 }
 
-impl<T: Real, const D: usize> Cells<T, D> {
+impl<T: Real, const D: usize> SortedCells<T, D> {
     /// The box of some consecutive particles, of which there is one at least.
     #[inline(always)]
     pub(super) fn corners(&self, particles: Range<usize>) -> ([T; D], [T; D]) {

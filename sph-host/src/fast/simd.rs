@@ -1,7 +1,7 @@
 //! What differs between instruction sets: which of sixteen squares are below a bound, and moving those together.
 //!
 //! Everything else is written once, as loops over arrays of fixed length that the compiler turns into vectors. A [`Job`] is
-//! compiled for each [`Level`], and the best that the processor has runs. All levels give the same bits: none fuses a
+//! compiled for each [`InstructionSet`], and the best that the processor has runs. All levels give the same bits: none fuses a
 //! multiplication with an addition, and sums run over sixteen columns whatever the width of a vector.
 //!
 //! There is no `unsafe` here: pulp's tokens prove that the processor has an instruction before it can be named.
@@ -51,7 +51,7 @@ pub trait Job<T> {
 
 /// An instruction set that the fast path has code for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Level {
+pub enum InstructionSet {
     /// What every processor of this architecture has: SSE2 on x86-64, NEON on AArch64.
     Baseline,
     /// x86-64-v3: AVX2.
@@ -60,12 +60,12 @@ pub enum Level {
     Avx512,
 }
 
-impl Level {
+impl InstructionSet {
     /// The best that this processor has.
     ///
     /// ```
-    /// use sph_host::fast::Level;
-    /// assert_eq!(Level::available().last(), Some(&Level::best()));
+    /// use sph_host::fast::InstructionSet;
+    /// assert_eq!(InstructionSet::available().last(), Some(&InstructionSet::best()));
     /// ```
     #[must_use]
     pub fn best() -> Self {
@@ -119,12 +119,12 @@ impl Real for f64 {
 }
 
 mod sealed {
-    use super::{Job, Level};
+    use super::{InstructionSet, Job};
 
     /// Runs jobs on vectors of a float.
     pub trait Sealed: Sized {
         /// Runs a job at a level, or at the next lower one that the processor has.
-        fn dispatch<J: Job<Self>>(level: Level, job: J) -> J::Output;
+        fn dispatch<J: Job<Self>>(level: InstructionSet, job: J) -> J::Output;
     }
 }
 
@@ -172,13 +172,13 @@ mod other {
     use super::*;
 
     impl sealed::Sealed for f32 {
-        fn dispatch<J: Job<Self>>(_: Level, job: J) -> J::Output {
+        fn dispatch<J: Job<Self>>(_: InstructionSet, job: J) -> J::Output {
             job.run(Baseline)
         }
     }
 
     impl sealed::Sealed for f64 {
-        fn dispatch<J: Job<Self>>(_: Level, job: J) -> J::Output {
+        fn dispatch<J: Job<Self>>(_: InstructionSet, job: J) -> J::Output {
             job.run(Baseline)
         }
     }

@@ -6,7 +6,7 @@
 
 use rayon::prelude::*;
 
-use super::cells::{Layout, Run};
+use super::cells::{BandLayout, Run};
 use super::simd::{BLOCK, Real};
 
 /// Particles of a chunk of the input.
@@ -71,7 +71,7 @@ impl<T: Real, const D: usize> Sorted<T, D> {
 }
 
 /// Sorts particles into the cells of a layout; there are fewer than 2³² of both.
-pub(super) fn sort<T: Real, const D: usize>(layout: &Layout<D>, positions: &[[T; D]]) -> Sorted<T, D> {
+pub(super) fn sort<T: Real, const D: usize>(layout: &BandLayout<D>, positions: &[[T; D]]) -> Sorted<T, D> {
     let cells = layout.cells();
     let buckets = (positions.len() / BUCKET).clamp(1, 1024).min(cells);
     let cells_each = cells.div_ceil(buckets);
@@ -112,7 +112,7 @@ fn range(ends: &[u32], buckets: usize, chunk: usize, bucket: usize) -> std::ops:
 
 /// Each chunk of the input in the order of its buckets, and for each chunk where each bucket ends.
 fn into_buckets<T: Real, const D: usize>(
-    layout: &Layout<D>,
+    layout: &BandLayout<D>,
     positions: &[[T; D]],
     buckets: usize,
     cells_each: usize,

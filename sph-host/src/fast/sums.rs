@@ -14,7 +14,7 @@ use super::sort::Sorted;
 
 /// Memory that is used again: a number for each particle found, for all points of a group.
 #[derive(Clone, Debug)]
-pub(super) struct Scratch<T, const D: usize> {
+pub(super) struct PointScratch<T, const D: usize> {
     found: Found<T>,
     /// f(q)
     profiles: Vec<T>,
@@ -28,7 +28,7 @@ pub(super) struct Scratch<T, const D: usize> {
     coefficients: Vec<T>,
 }
 
-impl<T, const D: usize> Default for Scratch<T, D> {
+impl<T, const D: usize> Default for PointScratch<T, D> {
     fn default() -> Self {
         Self {
             found: Found { squares: Vec::new(), blocks: Vec::new(), spans: Vec::new() },
@@ -53,10 +53,15 @@ pub(super) struct Group<'a, T, const D: usize> {
 
 impl<T: Real, const D: usize> Group<'_, T, D> {
     /// Adds the sums to rows of values, and how many particles are in reach.
-    pub(super) fn add<K: Kernel>(&self, values: &mut [T], reached: &mut [u32], scratch: &mut Scratch<T, D>) {
+    pub(super) fn add<K: Kernel>(
+        &self,
+        values: &mut [T],
+        reached: &mut [u32],
+        scratch: &mut PointScratch<T, D>,
+    ) {
         let Part { cells, own, coefficients } = self.part;
         let level = cells.level;
-        let Scratch { found, profiles, slopes, coordinates, inverses, coefficients: _ } = scratch;
+        let PointScratch { found, profiles, slopes, coordinates, inverses, coefficients: _ } = scratch;
         let own_limits = own.map(|own| &own.squares[..]);
         let (points, range) = (self.points, self.range.clone());
         let end = T::dispatch(level, Collect { cells, own_limits, points, range, found });
@@ -100,7 +105,7 @@ struct SumUp<'a, T, const D: usize> {
     values: std::slice::ChunksExactMut<'a, T>,
     /// Where in a row the field's values are.
     first: usize,
-    scratch: &'a Scratch<T, D>,
+    scratch: &'a PointScratch<T, D>,
 }
 
 impl<T: Real, const D: usize> Job<T> for SumUp<'_, T, D> {

@@ -32,7 +32,7 @@ pub(super) fn write_image(table: &Table, grid: &Grid, writer: &mut impl Write) -
 
 /// Points as vertices; a grid's cell centres are joined to lines, quadrilaterals or hexahedra, so that a surface shows.
 pub(super) fn write_unstructured(table: &Table, writer: &mut impl Write) -> io::Result<()> {
-    let cells = Cells::of(table);
+    let cells = VtkCells::of(table);
     let count = cells.connectivity.len() / cells.corners;
     begin(writer, "UnstructuredGrid", &table.caption)?;
     writeln!(writer, "<UnstructuredGrid>")?;
@@ -101,14 +101,14 @@ fn write_array(writer: &mut impl Write, attributes: &str, bytes: impl Iterator<I
 }
 
 /// Cells of one kind over the table's points.
-struct Cells {
+struct VtkCells {
     connectivity: Vec<i64>,
     corners: usize,
     /// VTK's number of the kind: 1 vertex, 3 line, 9 quadrilateral, 12 hexahedron.
     kind: u8,
 }
 
-impl Cells {
+impl VtkCells {
     fn of(table: &Table) -> Self {
         let vertices = || Self { connectivity: (0..table.points() as i64).collect(), corners: 1, kind: 1 };
         let Some(grid) = &table.grid else { return vertices() };

@@ -71,7 +71,7 @@ pub fn draw(map: &HeatMap) -> Result<Image, PictureError> {
     let scales =
         map.rows.iter().map(|row| row.iter().map(|panel| Scale::of(&panel.values, panel.palette)).collect());
     let scales: Vec<Vec<Scale>> = scales.collect();
-    let layout = Layout::of(map, &scales);
+    let layout = MapLayout::of(map, &scales);
     let mut canvas = Canvas::new(layout.width as u32, layout.height as u32)?;
     let (title, size) = fitted(&map.title, LARGE, layout.width - 2.0 * MARGIN);
     canvas.text(&title, (layout.width / 2.0, MARGIN + TITLE / 2.0), size, Anchor::Middle);
@@ -104,7 +104,7 @@ fn check(map: &HeatMap) -> Result<(), PictureError> {
 }
 
 /// Where everything stands; all panels have the same size.
-struct Layout {
+struct MapLayout {
     width: f32,
     height: f32,
     block: [f32; 2],
@@ -112,7 +112,7 @@ struct Layout {
     inner: Area,
 }
 
-impl Layout {
+impl MapLayout {
     fn of(map: &HeatMap, scales: &[Vec<Scale>]) -> Self {
         let Plane { lower, upper, .. } = &map.plane;
         let columns = map.rows.iter().map(Vec::len).max().unwrap_or(1) as f32;

@@ -8,10 +8,8 @@ use sph_core::scalar::compact::Compact;
 use super::Solver;
 use super::case::Case;
 use super::measure::{COLUMNS, LAST_COLUMNS, Meter};
-use super::pbf::PositionBased;
 use super::series::{Check, Series};
-use super::setup::Setup;
-use super::simulation::{Lost, Simulate, Simulation, Snapshot};
+use crate::engine::{PositionBased, RunError, Setup, Simulate, Simulation, Snapshot};
 use crate::failure::Failure;
 use crate::kernel_choice::KernelName;
 use crate::output::Precision;
@@ -40,7 +38,7 @@ pub(super) struct Drive<'a, const D: usize> {
 
 /// With what a case is simulated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Means {
+pub(super) struct Method {
     pub(super) solver: Solver,
     pub(super) scalar: ScalarName,
     pub(super) kernel: KernelName,
@@ -48,23 +46,25 @@ pub(super) struct Means {
 
 impl<'a, const D: usize> Drive<'a, D> {
     /// A case at its beginning, with a frame `every` so many seconds.
-    pub(super) fn new(case: &'a dyn Case<D>, means: Means, every: f64) -> Result<Self, Failure> {
+    pub(super) fn new(case: &'a dyn Case<D>, method: Method, every: f64) -> Result<Self, Failure> {
         let setup = case.setup();
-        let simulation: Box<dyn Simulate<D>> = match (means.solver, means.scalar) {
+        let simulation: Box<dyn Simulate<D>> = match (method.solver, method.scalar) {
             (Solver::Wcsph, ScalarName::F32) => {
-                Box::new(Simulation::<f32, D>::new(&setup, means.kernel).map_err(refused)?)
+                Box::new(Simulation::<f32, D>::new(&setup, method.kernel).map_err(refused)?)
             }
-            (Solver::Wcsph, _) => Box::new(Simulation::<f64, D>::new(&setup, means.kernel).map_err(refused)?),
+            (Solver::Wcsph, _) => {
+                Box::new(Simulation::<f64, D>::new(&setup, method.kernel).map_err(refused)?)
+            }
             (Solver::Pbf, scalar) => {
                 let size = case.inside().map(|(_, upper)| upper);
                 let interval = every / ROWS_A_FRAME as f64;
                 with_scalar!(scalar, T => position_based::<T, D>(&setup, size, interval)?)
             }
         };
-        let meter = Meter::new(&setup, case.inside(), means.solver).map_err(refused)?;
+        let meter = Meter::new(&setup, case.inside(), method.solver).map_err(refused)?;
         let columns = COLUMNS.iter().chain(case.columns()).chain(&LAST_COLUMNS).copied();
         let series = Series::new(columns);
-        let is_single = means.solver == Solver::Wcsph && means.scalar == ScalarName::F32;
+        let is_single = method.solver == Solver::Wcsph && method.scalar == ScalarName::F32;
         let precision = if is_single { Precision::F32 } else { Precision::F64 };
         Ok(Self {
             case,
@@ -76,7 +76,7 @@ impl<'a, const D: usize> Drive<'a, D> {
             frames: 0,
             stepping: 0.0,
             precision,
-            solver: means.solver,
+            solver: method.solver,
         })
     }
 
@@ -174,7 +174,7 @@ impl<'a, const D: usize> Drive<'a, D> {
         Ok(now)
     }
 
-    fn lost(&self, error: Lost) -> Failure {
+    fn lost(&self, error: RunError) -> Failure {
         let time = self.series.rows.last().map_or(0.0, |row| row[0]);
         Failure::input(format!("the run failed after {time} s: {error}"))
     }

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::case::View;
-use super::simulation::Snapshot;
+use crate::engine::Snapshot;
 use crate::failure::Failure;
 use crate::io;
 use crate::output::{Column, Precision, Table};

@@ -6,8 +6,7 @@ use sph_core::vector::{dot, norm_squared};
 use sph_core::{CellGrid, CellLayout, Neighbours};
 
 use super::Solver;
-use super::setup::Setup;
-use super::simulation::Snapshot;
+use crate::engine::{Setup, Snapshot};
 
 /// What every row of the series begins with, after the time.
 pub(super) const COLUMNS: [&str; 5] =
@@ -55,7 +54,7 @@ impl<const D: usize> Meter<D> {
                 Solver::Wcsph => Some(setup.liquid::<f64>()?.equation_of_state),
                 Solver::Pbf => None,
             },
-            layout: super::simulation::layout(setup, 2.0 * setup.spacing).ok(),
+            layout: crate::engine::layout(setup, 2.0 * setup.spacing).ok(),
             momentum,
             spin,
             scale,

@@ -11,16 +11,9 @@ mod drive;
 mod folder;
 mod frame;
 mod measure;
-mod near;
-mod pbf;
-mod records;
 mod reference;
-mod rows;
 mod series;
-mod setup;
-mod simulation;
 mod summary;
-mod sums;
 #[cfg(test)]
 mod tests;
 
@@ -38,7 +31,7 @@ use crate::failure::Failure;
 use crate::kernel_choice::KernelName;
 use crate::scalar_choice::ScalarName;
 use case::Case;
-use drive::{Drive, Means, ROWS_A_FRAME};
+use drive::{Drive, Method, ROWS_A_FRAME};
 use folder::Folder;
 
 /// What can be simulated.
@@ -149,13 +142,13 @@ pub fn run(options: &Options, progress: &ProgressBar) -> Result<Summary, Failure
     if options.dim == 3 && options.case != CaseName::DamBreak {
         return Err(Failure::usage(format!("--dim 3: {} has two dimensions", options.case.name())));
     }
-    let means = options.means()?;
+    let method = options.method()?;
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(options.threads.unwrap_or(0))
         .build()
         .map_err(|error| Failure::input(format!("cannot start the threads: {error}")))?;
-    let rounding = if means.scalar == ScalarName::F64 { 1e-12 } else { 1e-4 };
-    let job = Job { options, means, resolution, progress };
+    let rounding = if method.scalar == ScalarName::F64 { 1e-12 } else { 1e-4 };
+    let job = Job { options, method, resolution, progress };
     pool.install(|| match (options.case, options.dim) {
         (CaseName::DamBreak, 3) => job.simulate::<3>(&case::DamBreak { resolution }),
         (CaseName::DamBreak, _) => job.simulate::<2>(&case::DamBreak { resolution }),
@@ -188,7 +181,7 @@ impl Options {
     }
 
     /// What is simulated with, where the options do not contradict each other.
-    fn means(&self) -> Result<Means, Failure> {
+    fn method(&self) -> Result<Method, Failure> {
         let usual = if self.case == CaseName::Tilt { Solver::Pbf } else { Solver::Wcsph };
         let solver = self.solver.unwrap_or(usual);
         match solver {
@@ -203,7 +196,7 @@ impl Options {
                 if kernel.is_singular() {
                     return Err(Failure::usage(format!("--kernel {}: it diverges at r = 0", kernel.name())));
                 }
-                Ok(Means { solver, scalar, kernel })
+                Ok(Method { solver, scalar, kernel })
             }
             Solver::Pbf => {
                 let scalar = self.scalar.unwrap_or(ScalarName::F32);
@@ -222,7 +215,7 @@ impl Options {
                     let name = kernel.name();
                     return Err(Failure::usage(format!("--kernel {name}: --solver pbf has its own, poly6")));
                 }
-                Ok(Means { solver, scalar, kernel })
+                Ok(Method { solver, scalar, kernel })
             }
         }
     }
@@ -232,14 +225,14 @@ impl Options {
 #[derive(Clone, Copy)]
 struct Job<'a> {
     options: &'a Options,
-    means: Means,
+    method: Method,
     resolution: u32,
     progress: &'a ProgressBar,
 }
 
 impl Job<'_> {
     fn simulate<const D: usize>(self, case: &dyn Case<D>) -> Result<Summary, Failure> {
-        let Self { options, means, resolution, progress } = self;
+        let Self { options, method, resolution, progress } = self;
         let duration = options.time.unwrap_or_else(|| case.duration());
         let every = options.every.unwrap_or(duration / FRAMES);
         if every > duration {
@@ -252,14 +245,14 @@ impl Job<'_> {
         }
         let particulars = json!({
             "case": options.case.name(),
-            "solver": word(&means.solver),
+            "solver": word(&method.solver),
             "dim": D,
             "resolution": resolution,
-            "scalar": word(&means.scalar),
-            "kernel": means.kernel.name(),
+            "scalar": word(&method.scalar),
+            "kernel": method.kernel.name(),
             "every": every,
         });
-        let mut drive = Drive::new(case, means, every)?;
+        let mut drive = Drive::new(case, method, every)?;
         let mut folder = Folder::open(&options.out, options.force, options.resume, particulars.clone())?;
         let start = Instant::now();
         let mut last = folder.resume(&mut drive)?;

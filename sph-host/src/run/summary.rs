@@ -8,7 +8,7 @@ use serde_json::{Map, Value, json};
 
 use super::drive::Drive;
 use super::series::Check;
-use super::simulation::Snapshot;
+use crate::engine::Snapshot;
 
 /// The end of a run, as `summary.json` has it.
 #[derive(Clone, Debug)]

@@ -11,8 +11,8 @@ fn options(case: CaseName, resolution: u32, out: &Path) -> Options {
 
 /// Drives a case in a quarter of the usual frames, and gives its checks.
 fn checks<const D: usize>(case: &dyn Case<D>, scalar: ScalarName, duration: f64) -> Vec<(String, f64)> {
-    let means = Means { solver: Solver::Wcsph, scalar, kernel: KernelName::WendlandC2 };
-    let mut drive = Drive::new(case, means, duration / 10.0).unwrap();
+    let method = Method { solver: Solver::Wcsph, scalar, kernel: KernelName::WendlandC2 };
+    let mut drive = Drive::new(case, method, duration / 10.0).unwrap();
     let progress = ProgressBar::hidden();
     let mut last = drive.next_frame(duration, &progress).unwrap();
     while drive.frames < drive.frames_in(duration) {

@@ -11,11 +11,11 @@ use sph_core::{Error, Uniform, field};
 use super::evaluate::{Counts, Evaluated, columns, names};
 use super::load::{Particles, Support};
 use super::points::Points;
-use super::request::{Estimate, Request, Where};
+use super::request::{Estimate, Request, SamplePoints};
 use super::scene::positions;
 use super::units::{Units, fitted};
 use crate::failure::Failure;
-use crate::fast::{Cells, Fields, Levels, Real, Sums};
+use crate::fast::{Fields, RadiusOctaves, Real, SortedCells, Sums};
 use crate::kernel_choice::{KernelName, with_kernel};
 use crate::parallel;
 
@@ -69,17 +69,17 @@ pub(super) fn evaluate<T: Real, const D: usize>(
 
 /// The sorted particles, with one support radius or one each.
 enum Set<T, const D: usize> {
-    Cells(Cells<T, D>),
-    Levels(Levels<T, D>),
+    Cells(SortedCells<T, D>),
+    RadiusOctaves(RadiusOctaves<T, D>),
 }
 
 impl<T: Real, const D: usize> Set<T, D> {
     fn sort(positions: &[[T; D]], support: &Support) -> Result<Self, Error> {
         match support {
-            Support::Uniform(h) => Ok(Self::Cells(Cells::sort(positions, T::from_f64(*h))?)),
+            Support::Uniform(h) => Ok(Self::Cells(SortedCells::sort(positions, T::from_f64(*h))?)),
             Support::PerParticle(radii) => {
                 let radii: Vec<T> = radii.iter().map(|&h| T::from_f64(h)).collect();
-                Ok(Self::Levels(Levels::sort(positions, &radii)?))
+                Ok(Self::RadiusOctaves(RadiusOctaves::sort(positions, &radii)?))
             }
         }
     }
@@ -87,7 +87,7 @@ impl<T: Real, const D: usize> Set<T, D> {
     fn fields(&self, coefficients: &[&[T]]) -> Result<Fields<'_, T, D>, Error> {
         match self {
             Self::Cells(cells) => cells.fields(coefficients),
-            Self::Levels(levels) => levels.fields(coefficients),
+            Self::RadiusOctaves(levels) => levels.fields(coefficients),
         }
     }
 
@@ -95,7 +95,9 @@ impl<T: Real, const D: usize> Set<T, D> {
     fn densities(&self, kernel: KernelName, positions: &[[T; D]], masses: &[T]) -> Result<Vec<T>, Error> {
         match self {
             Self::Cells(cells) => with_kernel!(kernel, K => cells.density::<K>(masses)),
-            Self::Levels(levels) => Ok(sums(&levels.fields(&[masses])?, kernel, positions, false)?.values),
+            Self::RadiusOctaves(levels) => {
+                Ok(sums(&levels.fields(&[masses])?, kernel, positions, false)?.values)
+            }
         }
     }
 }
@@ -136,7 +138,7 @@ impl<T: Real> Weights<T> {
         let given = particles.densities.as_ref().map(|rho| column(rho, "density")).transpose()?;
         let has_fields = !particles.quantities.is_empty();
         let at_particles =
-            request.at == Where::AtParticles && !request.gradient && matches!(set, Set::Cells(_));
+            request.at == SamplePoints::AtParticles && !request.gradient && matches!(set, Set::Cells(_));
         let summed = match &masses {
             Some(masses) if at_particles || (has_fields && given.is_none()) => {
                 Some(set.densities(request.kernel, positions, masses).map_err(failed)?)

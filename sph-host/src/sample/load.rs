@@ -1,6 +1,6 @@
 //! From a particle file or a built-in set to checked particles.
 
-use super::request::{Estimate, Particulars, Request, SupportFrom};
+use super::request::{Estimate, ParticleSource, Request, SupportFrom};
 use crate::demo;
 use crate::failure::Failure;
 use crate::io::{self, PointTable};
@@ -95,10 +95,10 @@ pub(super) fn checked(
     })
 }
 
-fn table(particulars: &Particulars) -> Result<(PointTable, Option<f64>), Failure> {
+fn table(particulars: &ParticleSource) -> Result<(PointTable, Option<f64>), Failure> {
     match particulars {
-        Particulars::File(path) => Ok((io::read(path)?, None)),
-        Particulars::Demo(name, particles) => {
+        ParticleSource::File(path) => Ok((io::read(path)?, None)),
+        ParticleSource::Demo(name, particles) => {
             let demo = demo::set(name, *particles).ok_or_else(|| demo::unknown(name))?;
             Ok((demo.table, Some(demo.support_radius)))
         }

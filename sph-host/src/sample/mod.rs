@@ -16,7 +16,7 @@ mod stencil;
 mod units;
 
 pub use load::{Particles, Support};
-pub use request::{Estimate, Particulars, Request, SupportFrom, Where};
+pub use request::{Estimate, ParticleSource, Request, SamplePoints, SupportFrom};
 
 use std::time::Instant;
 
@@ -121,7 +121,7 @@ fn evaluate(
 /// The file's particles in slabs, where it is to be read in pieces.
 fn slabs(request: &Request) -> Result<Option<slabs::Slabs>, Failure> {
     match (&request.particles, request.chunk) {
-        (Particulars::File(path), Some(most)) => slabs::Slabs::read(path, most, request).map(Some),
+        (ParticleSource::File(path), Some(most)) => slabs::Slabs::read(path, most, request).map(Some),
         _ => Ok(None),
     }
 }

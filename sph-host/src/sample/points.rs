@@ -3,7 +3,7 @@
 use sysinfo::System;
 
 use super::load::{self, Particles};
-use super::request::{Particulars, Request, Where};
+use super::request::{ParticleSource, Request, SamplePoints};
 use crate::failure::Failure;
 use crate::io;
 use crate::output::{Column, Grid};
@@ -42,8 +42,8 @@ impl Points {
 /// Makes or reads the points of a request.
 pub(super) fn points(request: &Request, particles: &Particles) -> Result<Points, Failure> {
     match &request.at {
-        Where::AtParticles => Ok(Points { coordinates: particles.coordinates.clone(), grid: None }),
-        Where::At(path) => {
+        SamplePoints::AtParticles => Ok(Points { coordinates: particles.coordinates.clone(), grid: None }),
+        SamplePoints::At(path) => {
             let table = io::read(path)?;
             table.require_finite_coordinates()?;
             let dim =
@@ -57,7 +57,7 @@ pub(super) fn points(request: &Request, particles: &Particles) -> Result<Points,
             }
             Ok(Points { coordinates: table.coordinates, grid: None })
         }
-        Where::Grid { counts, bounds } => grid(counts, bounds.as_deref(), particles),
+        SamplePoints::Grid { counts, bounds } => grid(counts, bounds.as_deref(), particles),
     }
 }
 
@@ -87,13 +87,13 @@ fn grid(counts: &[usize], bounds: Option<&[f64]>, particles: &Particles) -> Resu
 pub(super) fn refuse_oversize(request: &Request) -> Result<(), Failure> {
     let fields = request.quantities.len().max(1) as f64 + 1.0;
     let particles = match &request.particles {
-        Particulars::Demo(_, Some(particles)) => *particles as f64,
+        ParticleSource::Demo(_, Some(particles)) => *particles as f64,
         _ => 0.0,
     };
     let (points, dim): (f64, _) = match &request.at {
-        Where::Grid { counts, .. } => (counts.iter().map(|&n| n as f64).product(), counts.len()),
-        Where::AtParticles => (particles, 3),
-        Where::At(_) => (0.0, 3),
+        SamplePoints::Grid { counts, .. } => (counts.iter().map(|&n| n as f64).product(), counts.len()),
+        SamplePoints::AtParticles => (particles, 3),
+        SamplePoints::At(_) => (0.0, 3),
     };
     let columns = fields * (1.0 + if request.gradient { dim as f64 } else { 0.0 });
     // coordinates and columns as f64, the columns once more while they are gathered; a built-in set's particles likewise

@@ -9,7 +9,7 @@ use crate::scalar_choice::ScalarName;
 
 /// Where the particles come from.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Particulars {
+pub enum ParticleSource {
     /// A file.
     File(PathBuf),
     /// A built-in set by name, and about how many particles it is to have.
@@ -18,7 +18,7 @@ pub enum Particulars {
 
 /// Where the fields are wanted.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Where {
+pub enum SamplePoints {
     /// At the points of a file.
     At(PathBuf),
     /// At the cell centres of a grid; the box is that of the particles where no bounds (lower, then upper corner) are given.
@@ -61,9 +61,9 @@ pub enum Estimate {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Request {
     /// The particles.
-    pub particles: Particulars,
+    pub particles: ParticleSource,
     /// The points.
-    pub at: Where,
+    pub at: SamplePoints,
     /// The kernel.
     pub kernel: KernelName,
     /// 1 to 3, where the particles' own number of coordinates is not meant.

@@ -144,7 +144,7 @@ fn reach<T: Scalar, const D: usize>(particles: &Particles, units: &Units<D>) -> 
     }
 }
 
-/// Cells about as wide as the reach over the particles' box, at most some four a particle.
+/// SortedCells about as wide as the reach over the particles' box, at most some four a particle.
 fn layout<T: Scalar, const D: usize>(
     positions: &[[T; D]],
     reach: T,

@@ -39,7 +39,7 @@ impl<'a, T: Scalar, const D: usize> Stencil<'a, T, D> {
             let support_radius = own.support_radius();
             if distance_squared < support_radius * support_radius {
                 let (influence, gradient) = match with_gradient {
-                    true => own.both(&offset, distance_squared),
+                    true => own.value_and_gradient(&offset, distance_squared),
                     false => (own.influence(distance_squared), [T::ZERO; D]),
                 };
                 buffer.push(Contribution {

@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 use sph_core::kernel::{CubicSpline, Kernel, Poly6, Spiky, WendlandC2, WendlandC6};
 use sph_core::{BruteForce, Error, KernelInfluence, Parameter, Sources, Uniform};
-use sph_host::fast::{Cells, Level, Real};
+use sph_host::fast::{InstructionSet, Real, SortedCells};
 
 use crate::cloud::{Cloud, Random, agree, clouds, lattice};
 
@@ -23,7 +23,7 @@ fn check<T: Real, K: Kernel, const D: usize>(cloud: &Cloud<T, D>, tolerance: f64
     let mut random = Random(5);
     let own: Vec<T> = cloud.positions.iter().map(|_| T::from_f64(0.5 + random.next())).collect();
     let equal = vec![T::from_f64(0.3); own.len()];
-    let cells = Cells::sort(&cloud.positions, cloud.radius).unwrap();
+    let cells = SortedCells::sort(&cloud.positions, cloud.radius).unwrap();
     let fast =
         (cells.density::<K>(Uniform(T::from_f64(0.3))).unwrap(), cells.density::<K>(&own[..]).unwrap());
     for (found, masses) in [(&fast.0, &equal), (&fast.1, &own)] {
@@ -31,7 +31,7 @@ fn check<T: Real, K: Kernel, const D: usize>(cloud: &Cloud<T, D>, tolerance: f64
             assert!(agree(found, expected, tolerance), "{i}: {found:?} {expected} {:?}", cloud.positions[i]);
         }
     }
-    for level in Level::available() {
+    for level in InstructionSet::available() {
         let cells = cells.clone().at_level(level);
         assert!(cells.density::<K>(Uniform(T::from_f64(0.3))).unwrap() == fast.0, "{level:?}");
         assert!(cells.density::<K>(&own[..]).unwrap() == fast.1, "{level:?}");
@@ -68,7 +68,7 @@ fn a_lattice_in_f32_is_within_a_millionth_of_the_exact_path() {
     let w = KernelInfluence::<f32, 3, CubicSpline>::new(cloud.radius).unwrap();
     let mut exact = vec![0.0; cloud.positions.len()];
     sources.density(&w, &mut exact).unwrap();
-    let cells = Cells::sort(&cloud.positions, cloud.radius).unwrap();
+    let cells = SortedCells::sort(&cloud.positions, cloud.radius).unwrap();
     let fast = cells.density::<CubicSpline>(Uniform(2.2e-3)).unwrap();
     let worst = fast.iter().zip(&exact).map(|(a, b)| (a / b - 1.0).abs()).fold(0.0, f32::max);
     assert!((1e-8..1e-6).contains(&worst), "{worst}");
@@ -80,14 +80,17 @@ fn no_bit_depends_on_threads_and_the_order_of_the_input_changes_rounding_alone()
     let densities = |threads| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         pool.install(|| {
-            Cells::sort(&cloud.positions, cloud.radius).unwrap().density::<CubicSpline>(Uniform(1.0)).unwrap()
+            SortedCells::sort(&cloud.positions, cloud.radius)
+                .unwrap()
+                .density::<CubicSpline>(Uniform(1.0))
+                .unwrap()
         })
     };
     let one = densities(1);
     assert!(densities(2) == one && densities(5) == one);
 
     let backwards: Vec<[f32; 3]> = cloud.positions.iter().rev().copied().collect();
-    let cells = Cells::sort(&backwards, cloud.radius).unwrap();
+    let cells = SortedCells::sort(&backwards, cloud.radius).unwrap();
     let density = cells.density::<CubicSpline>(Uniform(1.0)).unwrap();
     assert!(density.iter().rev().zip(&one).all(|(&a, &b)| agree(a, b.into(), 1e-6)));
 }
@@ -108,7 +111,7 @@ fn sets_of_any_shape_reach_across_the_pieces_they_are_summed_in() {
             })
             .collect();
         let masses: Vec<f32> = positions.iter().map(|_| 0.5 + random.next() as f32).collect();
-        let cells = Cells::sort(&positions, 2.6).unwrap();
+        let cells = SortedCells::sort(&positions, 2.6).unwrap();
         let density = cells.density::<CubicSpline>(&masses[..]).unwrap();
         let sums = cells.fields(&[&masses]).unwrap().at::<CubicSpline>(&positions, false).unwrap();
         for (i, (&density, &sum)) in density.iter().zip(&sums.values).enumerate() {
@@ -130,28 +133,28 @@ fn sets_of_any_shape_reach_across_the_pieces_they_are_summed_in() {
 
 #[test]
 fn none_one_and_far_apart() {
-    let none = Cells::<f32, 3>::sort(&[], 1.0).unwrap();
+    let none = SortedCells::<f32, 3>::sort(&[], 1.0).unwrap();
     assert!(none.is_empty() && none.density::<CubicSpline>(Uniform(1.0)).unwrap().is_empty());
-    let one = Cells::sort(&[[7.0_f64, -3.0]], 0.5).unwrap();
+    let one = SortedCells::sort(&[[7.0_f64, -3.0]], 0.5).unwrap();
     let w = KernelInfluence::<f64, 2, CubicSpline>::new(0.5).unwrap();
     assert_eq!(one.density::<CubicSpline>(Uniform(2.0)).unwrap(), [2.0 * w.normalisation()]);
-    let apart = Cells::sort(&[[-1e15_f64], [0.0], [0.1], [1e15]], 0.5).unwrap();
+    let apart = SortedCells::sort(&[[-1e15_f64], [0.0], [0.1], [1e15]], 0.5).unwrap();
     let density = apart.density::<CubicSpline>(Uniform(1.0)).unwrap();
     assert!(density[0] == density[3] && density[1] == density[2] && density[1] > density[0]);
-    let corners = Cells::sort(&[[-1e30_f32; 3], [1e30; 3]], 1e-3).unwrap();
+    let corners = SortedCells::sort(&[[-1e30_f32; 3], [1e30; 3]], 1e-3).unwrap();
     assert_eq!(corners.density::<CubicSpline>(Uniform(1.0)).unwrap().len(), 2);
 }
 
 #[test]
 fn refuses_what_is_no_set() {
-    let sort = |x: f32, h| Cells::sort(&[[0.0, 1.0], [x, 2.0]], h).map(|_| ()).unwrap_err();
+    let sort = |x: f32, h| SortedCells::sort(&[[0.0, 1.0], [x, 2.0]], h).map(|_| ()).unwrap_err();
     assert_eq!(sort(f32::NAN, 1.0), Error::NotFinite { parameter: Parameter::Position, index: 1 });
     assert_eq!(sort(0.0, 0.0), Error::NotPositive { parameter: Parameter::SupportRadius, index: 0 });
     assert_eq!(sort(0.0, f32::NAN), Error::NotFinite { parameter: Parameter::SupportRadius, index: 0 });
     assert_eq!(sort(0.0, 1e30), Error::NotRepresentable { parameter: Parameter::SupportRadius });
-    let wide = Cells::sort(&[[-f64::MAX], [f64::MAX]], 1.0).map(|_| ()).unwrap_err();
+    let wide = SortedCells::sort(&[[-f64::MAX], [f64::MAX]], 1.0).map(|_| ()).unwrap_err();
     assert_eq!(wide, Error::NotRepresentable { parameter: Parameter::Position });
-    let cells = Cells::sort(&[[0.0_f32], [1.0]], 1.0).unwrap();
+    let cells = SortedCells::sort(&[[0.0_f32], [1.0]], 1.0).unwrap();
     let (parameter, expected, found) = (Parameter::Mass, 2, 1);
     let short = cells.density::<CubicSpline>(&[1.0][..]).unwrap_err();
     assert_eq!(short, Error::LengthMismatch { parameter, expected, found });

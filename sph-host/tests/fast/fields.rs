@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 use sph_core::kernel::{CubicSpline, Kernel, QuinticSpline, Spiky, WendlandC4};
 use sph_core::{Error, Influence, KernelInfluence, Parameter};
-use sph_host::fast::{Cells, Fields, Level, Levels, Real, Sums};
+use sph_host::fast::{Fields, InstructionSet, RadiusOctaves, Real, SortedCells, Sums};
 
 use crate::cloud::{Cloud, Random, clouds, lattice};
 
@@ -28,7 +28,7 @@ fn check_sums<T: Real, K: Kernel, const D: usize>(
             let mut floor = 0.0_f64;
             for (j, x) in cloud.positions.iter().enumerate() {
                 let d: [f64; D] = std::array::from_fn(|axis| (point[axis] - x[axis]).to_f64());
-                let (w, gradient) = influences[j].both(&d, d.iter().map(|d| d * d).sum());
+                let (w, gradient) = influences[j].value_and_gradient(&d, d.iter().map(|d| d * d).sum());
                 if d.iter().map(|d| d * d).sum::<f64>() < influences[j].support_radius().powi(2) {
                     floor = floor.max(1e-2 * influences[j].normalisation() * c[j].to_f64().abs());
                 }
@@ -82,18 +82,18 @@ fn check<T: Real, K: Kernel, const D: usize>(cloud: &Cloud<T, D>, tolerance: f64
     let points = points(cloud);
     let at = |fields: Fields<'_, T, D>| fields.at::<K>(&points, true).unwrap();
 
-    let cells = Cells::sort(&cloud.positions, cloud.radius).unwrap();
+    let cells = SortedCells::sort(&cloud.positions, cloud.radius).unwrap();
     let sums = at(cells.fields(&coefficients).unwrap());
     check_sums::<T, K, D>(cloud, |_| cloud.radius, &coefficients, &points, &sums, tolerance);
 
     // radii over a factor of 30
     let radii: Vec<T> =
         spread.iter().map(|s| cloud.radius * T::from_f64(30_f64.powf(s.to_f64() - 0.5))).collect();
-    let levels = Levels::sort(&cloud.positions, &radii).unwrap();
+    let levels = RadiusOctaves::sort(&cloud.positions, &radii).unwrap();
     let own = at(levels.fields(&coefficients).unwrap());
     check_sums::<T, K, D>(cloud, |j| radii[j], &coefficients, &points, &own, tolerance);
 
-    for level in Level::available() {
+    for level in InstructionSet::available() {
         assert!(at(cells.clone().at_level(level).fields(&coefficients).unwrap()) == sums, "{level:?}");
         assert!(at(levels.clone().at_level(level).fields(&coefficients).unwrap()) == own, "{level:?}");
     }
@@ -123,8 +123,8 @@ fn no_bit_depends_on_threads() {
     let in_threads = |threads| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         pool.install(|| {
-            let cells = Cells::sort(&cloud.positions, cloud.radius).unwrap();
-            let levels = Levels::sort(&cloud.positions, &radii).unwrap();
+            let cells = SortedCells::sort(&cloud.positions, cloud.radius).unwrap();
+            let levels = RadiusOctaves::sort(&cloud.positions, &radii).unwrap();
             [cells.fields(&[&masses]), levels.fields(&[&masses])]
                 .map(|fields| fields.unwrap().at::<CubicSpline>(&cloud.positions, true).unwrap())
         })
@@ -135,19 +135,19 @@ fn no_bit_depends_on_threads() {
 
 #[test]
 fn nothing_in_reach_no_points_and_no_fields() {
-    let cells = Cells::sort(&[[0.0_f64], [1.0]], 0.5).unwrap();
+    let cells = SortedCells::sort(&[[0.0_f64], [1.0]], 0.5).unwrap();
     let fields = cells.fields(&[&[1.0, 1.0]]).unwrap();
     let far = fields.at::<CubicSpline>(&[[9.0]], true).unwrap();
     assert_eq!((far.values, far.reached), (vec![0.0, 0.0], vec![0]));
     assert!(fields.at::<CubicSpline>(&[], true).unwrap().values.is_empty());
     assert_eq!(cells.fields(&[]).unwrap().at::<CubicSpline>(&[[0.1]], true).unwrap().reached, [1]);
-    let none = Cells::<f64, 1>::sort(&[], 0.5).unwrap();
+    let none = SortedCells::<f64, 1>::sort(&[], 0.5).unwrap();
     assert_eq!(none.fields(&[&[]]).unwrap().at::<CubicSpline>(&[[0.1]], false).unwrap().values, [0.0]);
 
     let parameter = Parameter::Position;
     let nan = fields.at::<CubicSpline>(&[[f64::NAN]], false).unwrap_err();
     assert_eq!(nan, Error::NotFinite { parameter, index: 0 });
     assert!(cells.fields(&[&[1.0]]).is_err());
-    let radii = Levels::sort(&[[0.0], [1.0]], &[1.0, -1.0]).map(|_| ()).unwrap_err();
+    let radii = RadiusOctaves::sort(&[[0.0], [1.0]], &[1.0, -1.0]).map(|_| ()).unwrap_err();
     assert_eq!(radii, Error::NotPositive { parameter: Parameter::SupportRadius, index: 1 });
 }

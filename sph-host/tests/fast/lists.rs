@@ -1,7 +1,7 @@
 //! Neighbour lists.
 
 use proptest::prelude::*;
-use sph_host::fast::{Cells, Level, NeighbourLists, Real};
+use sph_host::fast::{InstructionSet, NeighbourLists, Real, SortedCells};
 
 use crate::cloud::{Cloud, clouds};
 
@@ -16,8 +16,8 @@ fn check<T: Real, const D: usize>(cloud: &Cloud<T, D>, lists: &mut NeighbourList
         }
         square < cloud.radius * cloud.radius
     };
-    for level in Level::available() {
-        let cells = Cells::sort(positions, cloud.radius).unwrap().at_level(level);
+    for level in InstructionSet::available() {
+        let cells = SortedCells::sort(positions, cloud.radius).unwrap().at_level(level);
         cells.neighbour_lists(lists);
         let mut pairs = 0;
         for (place, &i) in cells.order().iter().enumerate() {

@@ -100,7 +100,7 @@ fn analytic_gradient_equals_central_differences() {
                 let x = random.direction::<D>().map(|c| c * r);
                 let numeric = difference::gradient(|x| w.influence_at(x), &x, h * 6e-6);
                 let analytic = w.gradient_at(&x);
-                let (value, slope) = w.both(&x, sph_core::vector::norm_squared(&x));
+                let (value, slope) = w.value_and_gradient(&x, sph_core::vector::norm_squared(&x));
                 assert_near(value, w.influence_at(&x), 1e-14 * scale * h, name::<K>());
                 for axis in 0..D {
                     let what = format!("{}, D = {D}, q = {}", name::<K>(), r / h);

@@ -1,7 +1,7 @@
 //! How fast the density changes: the continuity equation in difference form, and the diffusion of δ-SPH.
 
 use super::lane::{add, sub};
-use super::{Lane, Pair, Pairs, Scheme, Seen, State};
+use super::{Lane, Pair, Pairs, ParticleStates, Scheme, Seen};
 use crate::vector::dot;
 use crate::{Influence, Scalar};
 
@@ -22,7 +22,12 @@ impl<T: Scalar, const D: usize, W: Influence<T, D>> Scheme<T, D, W> {
     ///
     /// The diffusion acts between fluid particles alone, so it moves mass from one to another and makes none. Where ∇ρ is zero it
     /// is that of Molteni and Colagrossi.
-    pub fn density_rate(&self, pairs: &impl Pairs<T, D>, state: &State<T, D>, i: usize) -> Option<T> {
+    pub fn density_rate(
+        &self,
+        pairs: &impl Pairs<T, D>,
+        state: &ParticleStates<T, D>,
+        i: usize,
+    ) -> Option<T> {
         let own = state.seen.get(i)?;
         let mut sums = RateSums::EMPTY;
         pairs.for_each_of(i, self.influence.support_radius(), |neighbour| {
@@ -55,7 +60,7 @@ impl<T: Scalar, const D: usize, W: Influence<T, D>> Scheme<T, D, W> {
         } else {
             // A wall that does not pull does not thin the fluid that leaves it.
             let rate = pair.slope * dot(&own.velocity, &pair.offset);
-            let thinning = (-rate).positive_part().where_above_zero(own.push + other.push);
+            let thinning = (-rate).positive_part().where_above_zero(own.pressure_term + other.pressure_term);
             (rate.positive_part() - thinning).add_to(&mut sums.compression);
         }
     }
@@ -66,7 +71,7 @@ impl<T: Scalar, const D: usize, W: Influence<T, D>> Scheme<T, D, W> {
         let strength = self.liquid.density_diffusion
             * self.length()
             * self.liquid.equation_of_state.sound_speed().times(2);
-        let shifted = dot(&own.drift, &own.density_gradient);
+        let shifted = dot(&own.shift_velocity, &own.density_gradient);
         self.mass * A::total(sums.compression) + strength * A::total(sums.diffusion) + shifted
     }
 }

@@ -41,7 +41,7 @@ mod tests;
 pub use continuity::RateSums;
 pub use lane::Lane;
 pub use momentum::{ForceSums, Forces};
-pub use pairs::{Cells, Pairs, Search};
+pub use pairs::{CellStorage, Pairs, Search};
 pub use step::Particles;
 pub use summation::{OneByOne, Summation};
 pub use time_step::Limits;
@@ -91,7 +91,7 @@ impl<T: Scalar, const D: usize, W: Influence<T, D>> Scheme<T, D, W> {
 
 /// What the sums read of all particles: `fluid` of them liquid, the rest walls.
 #[derive(Clone, Copy, Debug)]
-pub struct State<'a, T, const D: usize> {
+pub struct ParticleStates<'a, T, const D: usize> {
     /// How many particles are fluid.
     pub fluid: usize,
     /// Each particle as its neighbours see it.
@@ -111,11 +111,11 @@ pub struct Seen<A, const D: usize> {
     /// V_j = m/ρ_j
     pub volume: A,
     /// p_j/ρ_j²
-    pub push: A,
+    pub pressure_term: A,
     /// ∇ρ_j; zero of a wall.
     pub density_gradient: [A; D],
     /// δv_j, with which it is shifted; zero of a wall.
-    pub drift: [A; D],
+    pub shift_velocity: [A; D],
 }
 
 impl<T: Scalar, const D: usize> Seen<T, D> {
@@ -125,16 +125,16 @@ impl<T: Scalar, const D: usize> Seen<T, D> {
         density: T::ONE,
         pressure: T::ZERO,
         volume: T::ZERO,
-        push: T::ZERO,
+        pressure_term: T::ZERO,
         density_gradient: [T::ZERO; D],
-        drift: [T::ZERO; D],
+        shift_velocity: [T::ZERO; D],
     };
 
     /// A particle of mass m, among others of its density and not shifted.
     #[inline(always)]
     pub fn new(mass: T, velocity: [T; D], density: T, pressure: T) -> Self {
-        let (volume, push) = (mass / density, pressure / (density * density));
-        Self { velocity, density, pressure, volume, push, ..Self::NONE }
+        let (volume, pressure_term) = (mass / density, pressure / (density * density));
+        Self { velocity, density, pressure, volume, pressure_term, ..Self::NONE }
     }
 }
 

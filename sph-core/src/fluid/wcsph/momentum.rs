@@ -2,7 +2,7 @@
 
 use super::gradient::DensityGradient;
 use super::lane::{add, add_vector, scale, sub, total_vector};
-use super::{Lane, Pair, Pairs, Scheme, Seen, State};
+use super::{Lane, Pair, Pairs, ParticleStates, Scheme, Seen};
 use crate::vector::{dot, norm_squared};
 use crate::{Influence, Scalar};
 
@@ -41,7 +41,12 @@ impl<T: Scalar, A: Lane<T>, const D: usize> ForceSums<T, A, D> {
 
 impl<T: Scalar, const D: usize, W: Influence<T, D>> Scheme<T, D, W> {
     /// What accelerates fluid particle i; `None` where there is no such particle.
-    pub fn forces(&self, pairs: &impl Pairs<T, D>, state: &State<T, D>, i: usize) -> Option<Forces<T, D>> {
+    pub fn forces(
+        &self,
+        pairs: &impl Pairs<T, D>,
+        state: &ParticleStates<T, D>,
+        i: usize,
+    ) -> Option<Forces<T, D>> {
         let own = state.seen.get(i)?;
         let mut sums = ForceSums::EMPTY;
         pairs.for_each_of(i, self.influence.support_radius(), |neighbour| {
@@ -107,7 +112,7 @@ impl<T: Scalar, const D: usize, W: Influence<T, D>> Scheme<T, D, W> {
         pair: &Pair<A, D>,
         is_fluid: bool,
     ) -> A {
-        let pressure = own.push + other.push;
+        let pressure = own.pressure_term + other.pressure_term;
         if !is_fluid {
             return pressure.positive_part();
         }
@@ -134,7 +139,11 @@ impl<T: Scalar, A: Lane<T>, const D: usize> ForceSums<T, A, D> {
     #[inline(always)]
     fn shift(&mut self, own: &Seen<A, D>, other: &Seen<A, D>, gradient: &[A; D]) {
         add_vector::<T, A, D>(&mut self.shift, gradient, other.volume);
-        add_vector::<T, A, D>(&mut self.pull, &own.velocity, dot(&own.drift, gradient) * own.volume);
-        add_vector::<T, A, D>(&mut self.pull, &other.velocity, dot(&other.drift, gradient) * other.volume);
+        add_vector::<T, A, D>(&mut self.pull, &own.velocity, dot(&own.shift_velocity, gradient) * own.volume);
+        add_vector::<T, A, D>(
+            &mut self.pull,
+            &other.velocity,
+            dot(&other.shift_velocity, gradient) * other.volume,
+        );
     }
 }

@@ -29,14 +29,14 @@ pub trait Search<T: Scalar, const D: usize> {
 
 /// Sorts anew into cells every time.
 #[derive(Debug)]
-pub struct Cells<'a, I> {
+pub struct CellStorage<'a, I> {
     /// Cells + 1 indices.
     pub starts: &'a mut [I],
     /// An index for each particle.
     pub entries: &'a mut [I],
 }
 
-impl<T: Scalar, I: Index + Sync, const D: usize> Search<T, D> for Cells<'_, I> {
+impl<T: Scalar, I: Index + Sync, const D: usize> Search<T, D> for CellStorage<'_, I> {
     type Found<'a>
         = CellGrid<'a, T, I, D>
     where

@@ -62,7 +62,7 @@ impl<T: Scalar, const D: usize, W: Influence<T, D>> Scheme<T, D, W> {
     /// [`Error::OutsideDomain`] for a particle that is nowhere.
     pub fn prepare<S: Summation<T, D, W>>(&self, particles: &mut Particles<T, D, S>) -> Result<(), Error> {
         particles.check()?;
-        particles.seen.iter_mut().for_each(|seen| seen.drift = [T::ZERO; D]);
+        particles.seen.iter_mut().for_each(|seen| seen.shift_velocity = [T::ZERO; D]);
         self.update_forces(particles)
     }
 
@@ -106,8 +106,8 @@ impl<T: Scalar, const D: usize, W: Influence<T, D>> Scheme<T, D, W> {
     fn update_rates<S: Summation<T, D, W>>(&self, particles: &mut Particles<T, D, S>) -> Result<(), Error> {
         let moving = particles.velocities.iter().zip(particles.forces.iter());
         for (seen, (&velocity, force)) in particles.seen.iter_mut().zip(moving) {
-            let (density_gradient, drift) = (force.density_gradient, force.shift);
-            *seen = Seen { velocity, density_gradient, drift, ..*seen };
+            let (density_gradient, shift_velocity) = (force.density_gradient, force.shift);
+            *seen = Seen { velocity, density_gradient, shift_velocity, ..*seen };
         }
         particles.sums.rates(self, particles.positions, particles.seen, particles.rates)
     }
@@ -116,7 +116,10 @@ impl<T: Scalar, const D: usize, W: Influence<T, D>> Scheme<T, D, W> {
         let states = particles.velocities.iter().zip(particles.densities.iter());
         for (seen, (&velocity, &density)) in particles.seen.iter_mut().zip(states) {
             let pressure = self.liquid.equation_of_state.pressure(density);
-            *seen = Seen { drift: seen.drift, ..Seen::new(self.mass, velocity, density, pressure) };
+            *seen = Seen {
+                shift_velocity: seen.shift_velocity,
+                ..Seen::new(self.mass, velocity, density, pressure)
+            };
         }
         particles.sums.forces(self, particles.positions, particles.seen, particles.forces)
     }

@@ -1,6 +1,6 @@
 //! How the sums of all particles are done.
 
-use super::{Forces, Scheme, Search, Seen, State};
+use super::{Forces, ParticleStates, Scheme, Search, Seen};
 use crate::{Error, Influence, Scalar};
 
 /// Does the sums over the neighbours of all particles, the first of which are fluid: as many as there is room for results.
@@ -45,7 +45,7 @@ impl<T: Scalar, const D: usize, W: Influence<T, D>, S: Search<T, D>> Summation<T
     ) -> Result<(), Error> {
         let fluid = rates.len();
         let pairs = self.0.find(&scheme.layout, positions, fluid)?;
-        let state = State { fluid, seen };
+        let state = ParticleStates { fluid, seen };
         for (i, rate) in rates.iter_mut().enumerate() {
             *rate = scheme.density_rate(&pairs, &state, i).unwrap_or(T::ZERO);
         }
@@ -66,7 +66,7 @@ impl<T: Scalar, const D: usize, W: Influence<T, D>, S: Search<T, D>> Summation<T
                 *seen = scheme.wall(&pairs, of_fluid, fluid.wrapping_add(wall));
             }
         }
-        let state = State { fluid, seen };
+        let state = ParticleStates { fluid, seen };
         for (i, force) in forces.iter_mut().enumerate() {
             *force = scheme.forces(&pairs, &state, i).unwrap_or(Forces::NONE);
         }

@@ -52,7 +52,7 @@ fn the_fused_sums_are_those_of_the_fields() {
     let (positions, velocities, densities) = (cloud::<f64>(), velocities::<f64>(), [1.01; N]);
     let mut scheme = scheme::<f64>();
     let pressures: [f64; N] = core::array::from_fn(|i| libm::cos(i as f64));
-    let state = State { fluid: N, seen: &seen(&velocities, &densities, &pressures) };
+    let state = ParticleStates { fluid: N, seen: &seen(&velocities, &densities, &pressures) };
     let search = BruteForce::new(&positions).unwrap();
     let volumes = Sources::new(&search, Uniform(0.01 / 1.01)).unwrap();
     let w = &scheme.influence.clone();
@@ -99,7 +99,7 @@ fn run_free_cloud<T: Scalar>(scheme: &Scheme<T, 2, W<T>>, steps: usize) -> ([f64
         forces: &mut [Forces::NONE; N],
         rates: &mut [T::ZERO; N],
         seen: &mut [Seen::NONE; N],
-        sums: &mut OneByOne(Cells { starts: &mut [0_u8; 10], entries: &mut [0_u8; N] }),
+        sums: &mut OneByOne(CellStorage { starts: &mut [0_u8; 10], entries: &mut [0_u8; N] }),
     };
     scheme.prepare(&mut particles).unwrap();
     for _ in 0..steps {
@@ -137,7 +137,7 @@ fn the_gradient_of_density_is_that_of_the_field() {
     let field = Field::new(&sources, &densities).unwrap();
     let gradient = |densities: &[f64; N], i| {
         let seen = seen(&[[0.0; 2]; N], densities, &[0.0; N]);
-        scheme.forces(&search, &State { fluid: N, seen: &seen }, i).unwrap().density_gradient
+        scheme.forces(&search, &ParticleStates { fluid: N, seen: &seen }, i).unwrap().density_gradient
     };
     for i in 0..N {
         let (found, expected) =
@@ -153,7 +153,7 @@ fn the_gradient_of_density_is_that_of_the_field() {
     let alone = [[0.0, 0.0], [0.1, 0.0]];
     let search = BruteForce::new(&alone).unwrap();
     let seen = [1.0, 2.0].map(|density| Seen::new(0.01, [0.0; 2], density, 0.0));
-    let force = scheme.forces(&search, &State { fluid: 2, seen: &seen }, 0).unwrap();
+    let force = scheme.forces(&search, &ParticleStates { fluid: 2, seen: &seen }, 0).unwrap();
     assert_eq!(force.density_gradient, [0.0; 2], "two particles span a line");
 }
 
@@ -162,7 +162,7 @@ fn first_of_two(scheme: &Scheme<f64, 2, W<f64>>, velocity: [f64; 2], density: f6
     let positions = [[0.0, 0.0], [0.1, 0.0]];
     let search = BruteForce::new(&positions).unwrap();
     let seen = [Seen::new(0.01, velocity, density, 0.0), Seen::new(0.01, [0.0; 2], 1.0, 0.0)];
-    let state = State { fluid: 2, seen: &seen };
+    let state = ParticleStates { fluid: 2, seen: &seen };
     let force = scheme.forces(&search, &state, 0).unwrap();
     (force, scheme.density_rate(&search, &state, 0).unwrap())
 }
@@ -240,7 +240,7 @@ fn slices_that_do_not_agree_and_lost_particles_are_errors() {
         forces: &mut [Forces::NONE; N],
         rates: &mut [0.0; N],
         seen: &mut [Seen::NONE; N],
-        sums: &mut OneByOne(Cells { starts: &mut [0_u8; 10], entries: &mut [0_u8; N] }),
+        sums: &mut OneByOne(CellStorage { starts: &mut [0_u8; 10], entries: &mut [0_u8; N] }),
     };
     let error = scheme.prepare(&mut particles).unwrap_err();
     assert_eq!(error, crate::Error::NotFinite { parameter: crate::Parameter::Position, index: 7 });

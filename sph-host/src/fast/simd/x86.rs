@@ -7,7 +7,7 @@ use pulp::x86::{V3, V4};
 use pulp::{Simd, WithSimd, cast};
 
 use super::turn::{turn_f32, turn_f64};
-use super::{BLOCK, Baseline, Isa, Job, Level, sealed::Sealed};
+use super::{BLOCK, Baseline, InstructionSet, Isa, Job, sealed::Sealed};
 
 /// A job on its way into a function that is compiled for V3 or V4.
 struct Inside<T, I, J> {
@@ -28,11 +28,11 @@ impl<T, I: Isa<T>, J: Job<T>> WithSimd for Inside<T, I, J> {
 macro_rules! dispatch {
     ($Real:ident) => {
         impl Sealed for $Real {
-            fn dispatch<J: Job<Self>>(level: Level, job: J) -> J::Output {
-                if let (Level::Avx512, Some(isa)) = (level, V4::try_new()) {
+            fn dispatch<J: Job<Self>>(level: InstructionSet, job: J) -> J::Output {
+                if let (InstructionSet::Avx512, Some(isa)) = (level, V4::try_new()) {
                     return Simd::vectorize(isa, Inside::<$Real, _, _> { isa, job, float: PhantomData });
                 }
-                if let (Level::Avx2 | Level::Avx512, Some(isa)) = (level, V3::try_new()) {
+                if let (InstructionSet::Avx2 | InstructionSet::Avx512, Some(isa)) = (level, V3::try_new()) {
                     return Simd::vectorize(isa, Inside::<$Real, _, _> { isa, job, float: PhantomData });
                 }
                 job.run(Baseline)

@@ -8,11 +8,10 @@ use std::f64::consts::PI;
 use serde_json::{Map, Value, json};
 
 use super::{Case, View};
+use crate::engine::{Setup, Snapshot, StateEquation, cells, centre, walls};
 use crate::picture::plot::{Mark, Plot, Series as Curve};
 use crate::run::reference;
 use crate::run::series::{Check, Series};
-use crate::run::setup::{Setup, State, cells, centre, walls};
-use crate::run::simulation::Snapshot;
 
 /// The file of the plot.
 pub(super) const PLOT: &str = "front.png";
@@ -90,7 +89,7 @@ impl<const D: usize> Case<D> for DamBreak {
         Setup {
             spacing,
             reach,
-            state: State::Tait,
+            state_equation: StateEquation::Tait,
             rest_density: density,
             sound_speed: 10.0 * (2.0 * GRAVITY * 2.0 * WIDTH).sqrt(),
             gravity: down(0.0),

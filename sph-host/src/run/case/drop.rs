@@ -8,10 +8,9 @@
 //! A = 100 / s, c₀ = 1400 m/s as there.
 
 use super::{Case, View, conservation};
+use crate::engine::{Setup, Snapshot, StateEquation, cells, centre, jittered};
 use crate::picture::plot::{Mark, Plot, Series as Curve};
 use crate::run::series::{Check, Series};
-use crate::run::setup::{Setup, State, cells, centre, jittered};
-use crate::run::simulation::Snapshot;
 
 /// The file of the plot.
 pub(super) const PLOT: &str = "semi_axes.png";
@@ -84,7 +83,7 @@ impl Case<2> for Drop {
         Setup {
             spacing,
             reach: 4.0,
-            state: State::Tait,
+            state_equation: StateEquation::Tait,
             rest_density: DENSITY,
             sound_speed: 1400.0,
             gravity: [0.0; 2],

@@ -4,10 +4,9 @@
 //! resolution.
 
 use super::{Case, View};
+use crate::engine::{Setup, Snapshot, StateEquation, cells, centre, walls};
 use crate::picture::plot::{Mark, Plot, Series as Curve};
 use crate::run::series::{Check, Series};
-use crate::run::setup::{Setup, State, cells, centre, walls};
-use crate::run::simulation::Snapshot;
 
 /// The file of the plot.
 pub(super) const PLOT: &str = "pressure.png";
@@ -53,7 +52,7 @@ impl Case<2> for Hydrostatic {
         Setup {
             spacing,
             reach,
-            state: State::Tait,
+            state_equation: StateEquation::Tait,
             rest_density: DENSITY,
             sound_speed: 10.0 * (2.0 * GRAVITY * DEPTH).sqrt(),
             gravity: [0.0, -GRAVITY],

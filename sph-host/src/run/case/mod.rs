@@ -18,8 +18,7 @@ use serde_json::{Map, Value};
 
 use super::frame;
 use super::series::{Check, Series};
-use super::setup::Setup;
-use super::simulation::Snapshot;
+use crate::engine::{Setup, Snapshot};
 use crate::picture::plot::Plot;
 use crate::picture::{Image, PictureError};
 

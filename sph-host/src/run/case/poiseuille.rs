@@ -10,10 +10,9 @@
 use std::f64::consts::PI;
 
 use super::{Case, View};
+use crate::engine::{Setup, Snapshot, StateEquation, cells, centre, walls};
 use crate::picture::plot::{Mark, Plot, Series as Curve};
 use crate::run::series::{Check, Series};
-use crate::run::setup::{Setup, State, cells, centre, walls};
-use crate::run::simulation::Snapshot;
 
 /// The file of the plot.
 pub(super) const PLOT: &str = "profile.png";
@@ -59,7 +58,7 @@ impl Case<2> for Poiseuille {
         Setup {
             spacing,
             reach,
-            state: State::Linear,
+            state_equation: StateEquation::Linear,
             rest_density: 1000.0,
             sound_speed: 10.0 * FORCE * WIDTH * WIDTH / (8.0 * VISCOSITY),
             gravity: [FORCE, 0.0],

@@ -7,10 +7,9 @@ use std::f64::consts::PI;
 use sph_core::vector::{norm_squared, scale, sub};
 
 use super::{Case, View, conservation};
+use crate::engine::{Setup, Snapshot, StateEquation, cells, centre, jittered};
 use crate::picture::plot::{Mark, Plot, Series as Curve};
 use crate::run::series::{Check, Series};
-use crate::run::setup::{Setup, State, cells, centre, jittered};
-use crate::run::simulation::Snapshot;
 
 /// The file of the plot.
 pub(super) const PLOT: &str = "decay.png";
@@ -48,7 +47,7 @@ impl Case<2> for TaylorGreen {
         Setup {
             spacing,
             reach: 4.0,
-            state: State::Linear,
+            state_equation: StateEquation::Linear,
             rest_density: 1.0,
             sound_speed: 10.0,
             gravity: [0.0; 2],

@@ -5,12 +5,11 @@
 //! H/2 + L² tan² θ/(24 H) above the floor.
 
 use super::{Case, View};
+use crate::engine::{Setup, Snapshot, StateEquation, cells, centre, walls};
 use crate::picture::plot::{Mark, Plot, Series as Curve};
 use crate::picture::{Image, PictureError};
 use crate::run::frame::lamps;
 use crate::run::series::{Check, Series};
-use crate::run::setup::{Setup, State, cells, centre, walls};
-use crate::run::simulation::Snapshot;
 
 /// The file of the plot.
 pub(super) const PLOT: &str = "tilt.png";
@@ -78,7 +77,7 @@ impl Case<2> for Tilt {
         Setup {
             spacing,
             reach,
-            state: State::Tait,
+            state_equation: StateEquation::Tait,
             rest_density: DENSITY,
             sound_speed: 10.0 * (2.0 * GRAVITY * WIDTH).sqrt(),
             gravity: gravity(0.0),

@@ -174,7 +174,7 @@ impl Inputs {
     fn influence<T: Scalar, const D: usize>(&self, w: impl Influence<T, D>) {
         let [x, ..] = self.vectors::<T, D>();
         let r2 = self.number(1);
-        keep((w.influence(r2), w.gradient(&x, r2), w.both(&x, r2), w.influence_at(&x), w.gradient_at(&x)));
+        keep((w.influence(r2), w.gradient(&x, r2), w.value_and_gradient(&x, r2), w.influence_at(&x), w.gradient_at(&x)));
         keep((w.shape(r2), w.constant()));
         keep(((&&w).of(0).map(|w| w.support_radius()), (&w).reach()));
     }

@@ -1,7 +1,7 @@
 //! The fluids: position-based in every container, weakly compressible, and their display.
 
 use super::exercise::{Inputs, SAMPLES, keep};
-use sph_core::fluid::wcsph::{Cells, Forces, Limits, Liquid, OneByOne, Particles, Scheme, Seen};
+use sph_core::fluid::wcsph::{CellStorage, Forces, Limits, Liquid, OneByOne, Particles, Scheme, Seen};
 use sph_core::fluid::{
     BorrowedFluid, Container, Disc, EquationOfState, Mask, OpenBox, Particle, PositionBasedFluid, Raster,
     Settings, Shape,
@@ -76,7 +76,7 @@ impl Inputs {
         let (mut positions, mut velocities) = (self.vectors(), self.vectors());
         let (mut densities, mut rates) = (self.scalars(), self.scalars());
         let mut forces = [Forces::NONE; SAMPLES];
-        let search = Cells { starts: &mut [0_u8; 28], entries: &mut [0_u8; SAMPLES] };
+        let search = CellStorage { starts: &mut [0_u8; 28], entries: &mut [0_u8; SAMPLES] };
         let mut particles = Particles {
             positions: &mut positions,
             velocities: some(&mut velocities, fluid),

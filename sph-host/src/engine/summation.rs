@@ -6,9 +6,9 @@ use rayon::prelude::*;
 use sph_core::Error;
 use sph_core::fluid::wcsph::{ForceSums, Forces, Pair, RateSums, Scheme, Seen, Summation, WallSums};
 
-use super::near::{Near, Weight};
-use super::records::{Records, Wide, record};
-use super::rows::{Rows, SHARE, Share};
+use super::neighbourhoods::{Neighbourhoods, SimdKernel};
+use super::records::{ParticleRecords, Wide, record};
+use super::verlet_lists::{LIST_CHUNK, ListChunk, VerletLists};
 use crate::fast::{Isa, Job, Lanes, Real};
 use crate::kernel_choice::AnyInfluence;
 
@@ -19,21 +19,21 @@ mod tests;
 const GROUP: usize = 8;
 
 /// What sums over neighbours.
-pub(super) struct Sums<T, const D: usize> {
-    pub(super) rows: Rows<T, D>,
-    weight: Weight<T>,
-    records: Records<T>,
+pub(super) struct SimdSummation<T, const D: usize> {
+    pub(super) rows: VerletLists<T, D>,
+    kernel: SimdKernel<T>,
+    records: ParticleRecords<T>,
 }
 
 type Host<T, const D: usize> = Scheme<T, D, AnyInfluence<T, D>>;
 
-impl<T: Real, const D: usize> Sums<T, D> {
-    pub(super) fn new(rows: Rows<T, D>, weight: Weight<T>) -> Self {
-        Self { rows, weight, records: Records { places: Vec::new(), states: Vec::new() } }
+impl<T: Real, const D: usize> SimdSummation<T, D> {
+    pub(super) fn new(rows: VerletLists<T, D>, kernel: SimdKernel<T>) -> Self {
+        Self { rows, kernel, records: ParticleRecords { places: Vec::new(), states: Vec::new() } }
     }
 
     /// Lists rows anew where that is needed, and takes down fluid particles as they are seen.
-    fn take_down(
+    fn refresh_records(
         &mut self,
         scheme: &Host<T, D>,
         positions: &[[T; D]],
@@ -51,7 +51,7 @@ impl<T: Real, const D: usize> Sums<T, D> {
         }
         let rows = &self.rows;
         let (places, states) = (&mut self.records.places[..fluid], &mut self.records.states[..fluid]);
-        let of_fluid = (places, states, of_fluid, &seen[..fluid]).into_par_iter().with_min_len(SHARE);
+        let of_fluid = (places, states, of_fluid, &seen[..fluid]).into_par_iter().with_min_len(LIST_CHUNK);
         of_fluid.enumerate().for_each(|(k, (place, state, x, seen))| {
             (*place, *state) = record(&rows.unwrapped(k, x), seen);
         });
@@ -76,21 +76,28 @@ impl<T: Real, const D: usize> Sums<T, D> {
         }
     }
 
-    /// out[k] = sum of the k-th row of the shares, whose particles' records are at `place(k)`.
+    /// out[k] = sum of the k-th row of the chunks, whose particles' records are at `place(k)`.
     fn each<U: Send>(
         &self,
-        shares: &[Share],
+        chunks: &[ListChunk],
         out: &mut [U],
         place: impl Fn(usize) -> usize + Sync,
-        sum: impl Fn(&Near<T, D>, Range<usize>, &mut [U]) + Sync,
+        sum: impl Fn(&Neighbourhoods<T, D>, Range<usize>, &mut [U]) + Sync,
     ) {
-        let nobody = self.rows.nobody;
-        let work = shares.par_iter().zip(out.par_chunks_mut(SHARE)).enumerate();
-        work.for_each_init(Near::default, |near, (number, (share, out))| {
+        let padding = self.rows.padding;
+        let work = chunks.par_iter().zip(out.par_chunks_mut(LIST_CHUNK)).enumerate();
+        work.for_each_init(Neighbourhoods::default, |near, (number, (chunk, out))| {
             for (group, out) in out.chunks_mut(GROUP).enumerate() {
                 let first = group * GROUP;
-                let range = number * SHARE + first..number * SHARE + first + out.len();
-                near.look(&self.weight, &self.records, share, first, range.clone().map(&place), nobody);
+                let range = number * LIST_CHUNK + first..number * LIST_CHUNK + first + out.len();
+                near.find_neighbours(
+                    &self.kernel,
+                    &self.records,
+                    chunk,
+                    first,
+                    range.clone().map(&place),
+                    padding,
+                );
                 sum(near, range, out);
             }
         });
@@ -99,7 +106,7 @@ impl<T: Real, const D: usize> Sums<T, D> {
     /// The walls that have fluid near, as it sees them.
     fn walls(&mut self, scheme: &Host<T, D>, positions: &[[T; D]], seen: &mut [Seen<T, D>]) {
         let mut found = vec![Seen::NONE; self.rows.wet.len()];
-        let (rows, records, level) = (&self.rows, &self.records, self.weight.level);
+        let (rows, records, level) = (&self.rows, &self.records, self.kernel.level);
         self.each(
             &rows.of_walls,
             &mut found,
@@ -117,7 +124,7 @@ impl<T: Real, const D: usize> Sums<T, D> {
     }
 }
 
-impl<T: Real, const D: usize> Summation<T, D, AnyInfluence<T, D>> for Sums<T, D> {
+impl<T: Real, const D: usize> Summation<T, D, AnyInfluence<T, D>> for SimdSummation<T, D> {
     fn rates(
         &mut self,
         scheme: &Host<T, D>,
@@ -125,9 +132,9 @@ impl<T: Real, const D: usize> Summation<T, D, AnyInfluence<T, D>> for Sums<T, D>
         seen: &[Seen<T, D>],
         rates: &mut [T],
     ) -> Result<(), Error> {
-        self.take_down(scheme, positions, seen, rates.len())?;
-        let (records, level) = (&self.records, self.weight.level);
-        let steepness = self.weight.steepness;
+        self.refresh_records(scheme, positions, seen, rates.len())?;
+        let (records, level) = (&self.records, self.kernel.level);
+        let gradient_scale = self.kernel.gradient_scale;
         self.each(
             &self.rows.of_fluid,
             rates,
@@ -137,7 +144,7 @@ impl<T: Real, const D: usize> Summation<T, D, AnyInfluence<T, D>> for Sums<T, D>
                     level,
                     SumRates {
                         scheme,
-                        steepness,
+                        gradient_scale,
                         records,
                         near,
                         seen: &seen[range.clone()],
@@ -157,16 +164,19 @@ impl<T: Real, const D: usize> Summation<T, D, AnyInfluence<T, D>> for Sums<T, D>
         seen: &mut [Seen<T, D>],
         forces: &mut [Forces<T, D>],
     ) -> Result<(), Error> {
-        self.take_down(scheme, positions, seen, forces.len())?;
+        self.refresh_records(scheme, positions, seen, forces.len())?;
         self.walls(scheme, positions, seen);
-        let (records, level) = (&self.records, self.weight.level);
-        let steepness = self.weight.steepness;
+        let (records, level) = (&self.records, self.kernel.level);
+        let gradient_scale = self.kernel.gradient_scale;
         self.each(
             &self.rows.of_fluid,
             forces,
             |k| k,
             |near, range, out| {
-                T::dispatch(level, SumForces { scheme, steepness, records, near, first: range.start, out });
+                T::dispatch(
+                    level,
+                    SumForces { scheme, gradient_scale, records, near, first: range.start, out },
+                );
             },
         );
         Ok(())
@@ -176,9 +186,9 @@ impl<T: Real, const D: usize> Summation<T, D, AnyInfluence<T, D>> for Sums<T, D>
 /// dρ/dt of some consecutive particles.
 struct SumRates<'a, T, const D: usize> {
     scheme: &'a Host<T, D>,
-    steepness: T,
-    records: &'a Records<T>,
-    near: &'a Near<T, D>,
+    gradient_scale: T,
+    records: &'a ParticleRecords<T>,
+    near: &'a Neighbourhoods<T, D>,
     seen: &'a [Seen<T, D>],
     first: usize,
     out: &'a mut [T],
@@ -196,7 +206,7 @@ impl<T: Real, const D: usize> SumRates<'_, T, D> {
     ) {
         let wanted = [false, FLUID, FLUID, !FLUID];
         for block in blocks.clone() {
-            let (other, pair) = pair(isa, self.records, self.near, block, self.steepness, wanted);
+            let (other, pair) = pair(isa, self.records, self.near, block, self.gradient_scale, wanted);
             self.scheme.add_rate(sums, own, &other, &pair, FLUID);
         }
     }
@@ -220,9 +230,9 @@ impl<T: Real, const D: usize> Job<T> for SumRates<'_, T, D> {
 /// The forces on some consecutive particles.
 struct SumForces<'a, T, const D: usize> {
     scheme: &'a Host<T, D>,
-    steepness: T,
-    records: &'a Records<T>,
-    near: &'a Near<T, D>,
+    gradient_scale: T,
+    records: &'a ParticleRecords<T>,
+    near: &'a Neighbourhoods<T, D>,
     first: usize,
     out: &'a mut [Forces<T, D>],
 }
@@ -239,7 +249,7 @@ impl<T: Real, const D: usize> SumForces<'_, T, D> {
     ) {
         let wanted = [false, true, true, true];
         for block in blocks.clone() {
-            let (other, pair) = pair(isa, self.records, self.near, block, self.steepness, wanted);
+            let (other, pair) = pair(isa, self.records, self.near, block, self.gradient_scale, wanted);
             self.scheme.add_force(sums, own, &other, &pair, FLUID);
         }
     }
@@ -263,8 +273,8 @@ impl<T: Real, const D: usize> Job<T> for SumForces<'_, T, D> {
 /// What walls show.
 struct SumWalls<'a, T, const D: usize> {
     scheme: &'a Host<T, D>,
-    records: &'a Records<T>,
-    near: &'a Near<T, D>,
+    records: &'a ParticleRecords<T>,
+    near: &'a Neighbourhoods<T, D>,
     out: &'a mut [Seen<T, D>],
 }
 
@@ -290,13 +300,13 @@ impl<T: Real, const D: usize> Job<T> for SumWalls<'_, T, D> {
 #[inline(always)]
 fn pair<T: Real, I: Isa<T>, const D: usize>(
     isa: I,
-    records: &Records<T>,
-    near: &Near<T, D>,
+    records: &ParticleRecords<T>,
+    near: &Neighbourhoods<T, D>,
     block: usize,
-    steepness: T,
+    gradient_scale: T,
     wanted: [bool; 4],
 ) -> (Seen<Wide<T>, D>, Pair<Wide<T>, D>) {
     let (places, offset, slope) = near.block(block, &near.slopes);
     let other = records.seen_at(isa, places, wanted);
-    (other, Pair { offset, slope: slope * Lanes::splat(steepness) })
+    (other, Pair { offset, slope: slope * Lanes::splat(gradient_scale) })
 }

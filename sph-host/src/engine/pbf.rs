@@ -12,13 +12,13 @@ use sph_core::vector::{norm_squared, scale};
 use sph_core::{CellGrid, CellLayout, Error, Neighbours, Parameter};
 
 use super::setup::Setup;
-use super::simulation::{Lost, Simulate, Snapshot};
+use super::simulation::{RunError, Simulate, Snapshot};
 
 /// Acceleration in h a frame² times depth in spacings, as in the solver's documentation: 0.005 at twelve spacings.
 const WEIGHT: f64 = 0.06;
 
 /// A position-based fluid in scalar T, in a box.
-pub(super) struct PositionBased<T: Compact, const D: usize> {
+pub(crate) struct PositionBased<T: Compact, const D: usize> {
     walls: OpenBox<T, D>,
     particles: Vec<Particle<T, D>>,
     starts: Vec<u32>,
@@ -35,7 +35,7 @@ impl<T: Compact, const D: usize> PositionBased<T, D> {
     ///
     /// # Errors
     /// [`Error::NotRepresentable`] where the box is too large for the scalar, and what [`BorrowedFluid::new`] reports.
-    pub(super) fn new(setup: &Setup<D>, size: [f64; D], interval: f64) -> Result<Self, Error> {
+    pub(crate) fn new(setup: &Setup<D>, size: [f64; D], interval: f64) -> Result<Self, Error> {
         let unit = 2.0 * setup.spacing;
         let in_units = size.map(|length| T::from_f64(length / unit));
         for (stored, length) in in_units.iter().zip(size) {
@@ -96,7 +96,7 @@ impl<T: Compact, const D: usize> PositionBased<T, D> {
 }
 
 impl<T: Compact, const D: usize> Simulate<D> for PositionBased<T, D> {
-    fn advance(&mut self, until: f64) -> Result<(), Lost> {
+    fn advance(&mut self, until: f64) -> Result<(), RunError> {
         let wanted = (until / self.dt).round() as u64;
         let (gravity, dt, to_units, first) =
             (self.gravity, self.dt, self.dt * self.dt / self.unit, self.steps);
@@ -141,13 +141,11 @@ impl<T: Compact, const D: usize> Simulate<D> for PositionBased<T, D> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::run::case::{Case, DamBreak};
+    use crate::engine::setup::column;
     use sph_core::scalar::fixed::{I8F24, I16F16, Saturating};
 
     fn check<T: Compact>() {
-        let case = DamBreak { resolution: 8 };
-        let setup: Setup<2> = case.setup();
-        let size = Case::<2>::inside(&case).map(|(_, upper)| upper);
+        let (setup, size) = column();
         let mut fluid = PositionBased::<T, 2>::new(&setup, size, 0.01).unwrap();
         let mut again = PositionBased::<T, 2>::new(&setup, size, 0.01).unwrap();
         fluid.advance(0.1).unwrap();
@@ -177,9 +175,8 @@ mod tests {
     #[test]
     fn a_box_that_the_scalar_cannot_hold_is_refused() {
         use sph_core::scalar::fixed::I4F28;
-        let case = DamBreak { resolution: 8 };
-        let size = Case::<2>::inside(&case).map(|(_, upper)| upper);
-        let refused = PositionBased::<Saturating<I4F28>, 2>::new(&case.setup(), size, 0.01);
+        let (setup, size) = column();
+        let refused = PositionBased::<Saturating<I4F28>, 2>::new(&setup, size, 0.01);
         assert!(matches!(refused.map(drop), Err(Error::NotRepresentable { .. })));
     }
 }

@@ -1,11 +1,11 @@
 use sph_core::CellLayout;
 use sph_core::fluid::EquationOfState;
-use sph_core::fluid::wcsph::{Cells, Liquid, OneByOne, Particles};
+use sph_core::fluid::wcsph::{CellStorage, Liquid, OneByOne, Particles};
 
 use super::*;
-use crate::fast::Level;
+use crate::engine::{cells, centre, jittered};
+use crate::fast::InstructionSet;
 use crate::kernel_choice::KernelName;
-use crate::run::setup::{cells, centre, jittered};
 
 const SUPPORT: f64 = 0.25;
 
@@ -71,13 +71,17 @@ fn particles<T: Real>() -> (Vec<[T; 2]>, usize) {
     (fluid.iter().chain(&walls).enumerate().map(place).collect(), fluid.len())
 }
 
-fn on_vectors<T: Real>(scheme: &Host<T, 2>, kernel: KernelName, level: Level) -> Sums<T, 2> {
+fn on_vectors<T: Real>(
+    scheme: &Host<T, 2>,
+    kernel: KernelName,
+    level: InstructionSet,
+) -> SimdSummation<T, 2> {
     let (positions, fluid) = particles::<T>();
     let support = T::from_f64(SUPPORT);
-    let rows = Rows::new(*scheme.layout.domain(), support, fluid, &positions[fluid..]).unwrap();
-    let mut weight = Weight::new::<2>(kernel, support);
-    weight.level = level;
-    Sums::new(rows.at_level(level), weight)
+    let rows = VerletLists::new(*scheme.layout.domain(), support, fluid, &positions[fluid..]).unwrap();
+    let mut kernel_of_run = SimdKernel::new::<2>(kernel, support);
+    kernel_of_run.level = level;
+    SimdSummation::new(rows.at_level(level), kernel_of_run)
 }
 
 /// The greatest difference over the greatest number.
@@ -94,10 +98,10 @@ fn sums_on_vectors_are_those_of_the_core() {
         let scheme = scheme::<T>(is_periodic, kernel);
         let count = particles::<T>().0.len();
         let (mut starts, mut entries) = (vec![0_u32; scheme.layout.cells() + 1], vec![0; count]);
-        let search = Cells { starts: &mut starts, entries: &mut entries };
+        let search = CellStorage { starts: &mut starts, entries: &mut entries };
         // far enough for rows to be listed several times, and for particles to leave one end of the period for the other
         let expected = steps(&scheme, &mut OneByOne(search), 30);
-        for level in Level::available() {
+        for level in InstructionSet::available() {
             let found = steps(&scheme, &mut on_vectors(&scheme, kernel, level), 30);
             let off = difference(&found, &expected);
             assert!(off < tolerance, "{} {kernel:?} {is_periodic} {level:?}: {off}", T::NAME);
@@ -118,8 +122,8 @@ fn instructions_and_threads_change_no_bit() {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
             pool.install(|| steps(&scheme, &mut on_vectors(&scheme, KernelName::WendlandC2, level), 12))
         };
-        let expected = run(Level::Baseline, 1);
-        for level in Level::available() {
+        let expected = run(InstructionSet::Baseline, 1);
+        for level in InstructionSet::available() {
             assert!(run(level, 3) == expected, "{} {level:?}", T::NAME);
         }
     }
@@ -130,7 +134,7 @@ fn instructions_and_threads_change_no_bit() {
 #[test]
 fn a_particle_that_is_nowhere_is_an_error() {
     let scheme = scheme::<f64>(false, KernelName::WendlandC2);
-    let mut sums = on_vectors(&scheme, KernelName::WendlandC2, Level::best());
+    let mut sums = on_vectors(&scheme, KernelName::WendlandC2, InstructionSet::best());
     let (mut positions, fluid) = particles::<f64>();
     positions[5][0] = f64::NAN;
     let seen = vec![Seen::NONE; positions.len()];

@@ -3,26 +3,26 @@
 use sph_core::fluid::wcsph::{Forces, Limits, Particles, Scheme, Seen};
 use sph_core::{CellLayout, Error, Scalar};
 
-use super::near::Weight;
-use super::rows::Rows;
+use super::neighbourhoods::SimdKernel;
 use super::setup::Setup;
-use super::sums::Sums;
+use super::summation::SimdSummation;
+use super::verlet_lists::VerletLists;
 use crate::fast::Real;
 use crate::kernel_choice::{AnyInfluence, KernelName};
 
 /// The fluid at one time, in f64 whatever it is computed in.
 #[derive(Clone, Debug)]
-pub(super) struct Snapshot<const D: usize> {
-    pub(super) time: f64,
-    pub(super) positions: Vec<[f64; D]>,
-    pub(super) velocities: Vec<[f64; D]>,
-    pub(super) densities: Vec<f64>,
-    pub(super) pressures: Vec<f64>,
+pub(crate) struct Snapshot<const D: usize> {
+    pub(crate) time: f64,
+    pub(crate) positions: Vec<[f64; D]>,
+    pub(crate) velocities: Vec<[f64; D]>,
+    pub(crate) densities: Vec<f64>,
+    pub(crate) pressures: Vec<f64>,
 }
 
 /// Why a run cannot go on.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-pub(super) enum Lost {
+pub(crate) enum RunError {
     #[error(transparent)]
     Core(#[from] Error),
     #[error("a particle moves at {speed} m/s, more than twice the speed of sound, {sound} m/s")]
@@ -30,9 +30,9 @@ pub(super) enum Lost {
 }
 
 /// A simulation whose scalar is not known.
-pub(super) trait Simulate<const D: usize> {
+pub(crate) trait Simulate<const D: usize> {
     /// Steps until a time and lands on it.
-    fn advance(&mut self, until: f64) -> Result<(), Lost>;
+    fn advance(&mut self, until: f64) -> Result<(), RunError>;
 
     /// Works out forces anew from positions, velocities and densities: what a resumed run begins with.
     fn prepare(&mut self) -> Result<(), Error>;
@@ -48,7 +48,7 @@ pub(super) trait Simulate<const D: usize> {
 }
 
 /// A weakly compressible liquid in scalar T, its fluid kept in the order of cells.
-pub(super) struct Simulation<T, const D: usize> {
+pub(crate) struct Simulation<T, const D: usize> {
     scheme: Scheme<T, D, AnyInfluence<T, D>>,
     limits: Limits<T>,
     gravity: fn(f64) -> [f64; D],
@@ -64,7 +64,7 @@ pub(super) struct Simulation<T, const D: usize> {
     forces: Vec<Forces<T, D>>,
     rates: Vec<T>,
     seen: Vec<Seen<T, D>>,
-    sums: Sums<T, D>,
+    sums: SimdSummation<T, D>,
 }
 
 /// Steps from sorting to sorting.
@@ -72,7 +72,7 @@ const SORT_EVERY: u32 = 64;
 
 impl<T: Real, const D: usize> Simulation<T, D> {
     /// The fluid of a setup, ready for its first step.
-    pub(super) fn new(setup: &Setup<D>, kernel: KernelName) -> Result<Self, Error> {
+    pub(crate) fn new(setup: &Setup<D>, kernel: KernelName) -> Result<Self, Error> {
         let liquid = setup.liquid::<T>()?;
         let support = T::from_f64(setup.reach * setup.spacing);
         let scheme = Scheme {
@@ -84,7 +84,7 @@ impl<T: Real, const D: usize> Simulation<T, D> {
         let narrow = |vector: &[f64; D]| vector.map(T::from_f64);
         let walls: Vec<[T; D]> = setup.walls.iter().map(narrow).collect();
         let fluid = setup.positions.len();
-        let rows = Rows::new(*scheme.layout.domain(), support, fluid, &walls)?;
+        let rows = VerletLists::new(*scheme.layout.domain(), support, fluid, &walls)?;
         let of_pressure = |&pressure: &f64| liquid.equation_of_state.density(T::from_f64(pressure));
         let mut simulation = Self {
             scheme,
@@ -100,13 +100,13 @@ impl<T: Real, const D: usize> Simulation<T, D> {
             densities: setup.pressures.iter().map(of_pressure).collect(),
             forces: vec![Forces::NONE; fluid],
             rates: vec![T::ZERO; fluid],
-            sums: Sums::new(rows, Weight::new::<D>(kernel, support)),
+            sums: SimdSummation::new(rows, SimdKernel::new::<D>(kernel, support)),
         };
         simulation.prepare()?;
         Ok(simulation)
     }
 
-    fn particles(&mut self) -> (Scheme<T, D, AnyInfluence<T, D>>, Particles<'_, T, D, Sums<T, D>>) {
+    fn particles(&mut self) -> (Scheme<T, D, AnyInfluence<T, D>>, Particles<'_, T, D, SimdSummation<T, D>>) {
         let particles = Particles {
             positions: &mut self.positions,
             velocities: &mut self.velocities,
@@ -145,8 +145,8 @@ fn gather<U: Copy>(values: &mut [U], from: &[usize]) {
     values[..gathered.len()].copy_from_slice(&gathered);
 }
 
-/// Cells of this width, over the box of the setup.
-pub(super) fn layout<T: Scalar, const D: usize>(
+/// SortedCells of this width, over the box of the setup.
+pub(crate) fn layout<T: Scalar, const D: usize>(
     setup: &Setup<D>,
     width: f64,
 ) -> Result<CellLayout<T, D>, Error> {
@@ -162,7 +162,7 @@ pub(super) fn layout<T: Scalar, const D: usize>(
 }
 
 impl<T: Real, const D: usize> Simulate<D> for Simulation<T, D> {
-    fn advance(&mut self, until: f64) -> Result<(), Lost> {
+    fn advance(&mut self, until: f64) -> Result<(), RunError> {
         while self.time < until {
             if self.unsorted == SORT_EVERY {
                 self.sort()?;
@@ -173,7 +173,7 @@ impl<T: Real, const D: usize> Simulate<D> for Simulation<T, D> {
             let (speed, acceleration) = particles.extremes();
             let sound = scheme.liquid.equation_of_state.sound_speed();
             if speed > sound.times(2) {
-                return Err(Lost::TooFast { speed: speed.to_f64(), sound: sound.to_f64() });
+                return Err(RunError::TooFast { speed: speed.to_f64(), sound: sound.to_f64() });
             }
             let longest = scheme.longest_step(&limits, speed, acceleration).to_f64();
             // Equal steps for the rest of the way, so that the last one is not tiny.
@@ -232,16 +232,16 @@ impl<T: Real, const D: usize> Simulate<D> for Simulation<T, D> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::run::case::{Case, DamBreak};
+    use crate::engine::setup::column;
 
     #[test]
     fn a_particle_faster_than_twice_sound_is_lost() {
-        let mut setup: Setup<2> = DamBreak { resolution: 8 }.setup();
+        let (mut setup, _) = column();
         for (speed, is_lost) in [(1.99, false), (2.01, true)] {
             setup.velocities[7] = [-speed * setup.sound_speed, 0.0];
             let mut simulation = Simulation::<f64, 2>::new(&setup, KernelName::WendlandC2).unwrap();
             match simulation.advance(1e-9) {
-                Err(Lost::TooFast { speed, sound }) => {
+                Err(RunError::TooFast { speed, sound }) => {
                     assert!(is_lost && sound == setup.sound_speed, "{speed}");
                     assert_eq!(speed, 2.01 * sound);
                 }

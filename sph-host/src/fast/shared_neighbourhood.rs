@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use super::blocks::{Block, candidates, reserve, sixteen, sixteen_mut, squares};
 use super::lanes::Lanes;
-use super::set::Cells;
+use super::set::SortedCells;
 use super::simd::{BLOCK, Isa, Real};
 
 /// Particles that share a search: with more, fewer of those that are near one of them are near another.
@@ -12,7 +12,7 @@ pub(super) const GROUP: usize = 12;
 
 /// The particles in reach of the box of a group. The lists are longer than what was found: the rest is left over.
 #[derive(Clone, Debug)]
-pub(super) struct Around<T, const D: usize> {
+pub(super) struct SharedNeighbourhood<T, const D: usize> {
     blocks: Vec<Block>,
     /// Axis by axis, and up to a whole block numbers beyond any support.
     coordinates: [Vec<T>; D],
@@ -21,17 +21,17 @@ pub(super) struct Around<T, const D: usize> {
     count: usize,
 }
 
-impl<T, const D: usize> Default for Around<T, D> {
+impl<T, const D: usize> Default for SharedNeighbourhood<T, D> {
     fn default() -> Self {
         let coordinates = [const { Vec::new() }; D];
         Self { blocks: Vec::new(), coordinates, places: Vec::new(), count: 0 }
     }
 }
 
-impl<T: Real, const D: usize> Around<T, D> {
+impl<T: Real, const D: usize> SharedNeighbourhood<T, D> {
     /// Splits off the first few of some consecutive particles: they are in one row of cells and not far apart.
     #[inline(always)]
-    pub(super) fn group(cells: &Cells<T, D>, particles: &Range<usize>) -> Range<usize> {
+    pub(super) fn group(cells: &SortedCells<T, D>, particles: &Range<usize>) -> Range<usize> {
         let first = cells.sorted.position(particles.start);
         let (row, spread) = (cells.layout.row(&first), cells.radius);
         let together = |place: &usize| {
@@ -48,7 +48,7 @@ impl<T: Real, const D: usize> Around<T, D> {
     pub(super) fn gather<I: Isa<T>>(
         &mut self,
         isa: I,
-        cells: &Cells<T, D>,
+        cells: &SortedCells<T, D>,
         group: Range<usize>,
         from: usize,
     ) {

@@ -1,5 +1,5 @@
-//! Rows of candidates that are kept for several steps: all particles within the support radius and a margin, listed anew when
-//! one has moved by half the margin.
+//! Verlet lists, rows of candidates that are kept for several steps: all particles within the support radius and a skin, listed anew when
+//! one has moved by half the skin.
 //!
 //! Along a periodic axis, particles near its ends have images beyond the other end: records of their own, which follow the
 //! particle for as long as the rows are kept.
@@ -8,35 +8,35 @@ use rayon::prelude::*;
 use sph_core::vector::{add, norm_squared, sub};
 use sph_core::{Axis, Domain, Error};
 
-use crate::fast::{BLOCK, Block, Cells, Isa, Job, Level, Real, list_places, sixteen_mut};
+use crate::fast::{BLOCK, Block, InstructionSet, Isa, Job, Real, SortedCells, list_places, sixteen_mut};
 
-/// The margin over the support radius. Wider, rows last longer and each look at them takes longer.
-const MARGIN: f64 = 0.12;
+/// The skin over the support radius, in support radii. Wider, rows last longer and each look at them takes longer.
+const SKIN: f64 = 0.12;
 
 /// Particles whose rows are kept together.
-pub(super) const SHARE: usize = 256;
+pub(super) const LIST_CHUNK: usize = 256;
 
-/// Rows of the fluid, and of the walls that have fluid near.
-pub(super) struct Rows<T, const D: usize> {
+/// The rows of the fluid, and of the walls that have fluid near.
+pub(super) struct VerletLists<T, const D: usize> {
     domain: Domain<T, D>,
-    /// The support radius with the margin.
+    /// The support radius with the skin.
     reach: T,
     /// How far a particle may move before rows are listed anew.
-    slack: T,
+    max_displacement: T,
     /// Where the fluid was when the rows were listed; empty when they are to be listed anew. Walls do not move.
     listed_at: Vec<[T; D]>,
-    walls: Crowd<T, D>,
+    walls: CandidateSet<T, D>,
     /// Where the images of walls are among the records, and after them those of the fluid.
     pub(super) images: Vec<Image<T, D>>,
     /// How many of them are of walls.
     pub(super) wall_images: usize,
-    pub(super) of_fluid: Vec<Share>,
-    pub(super) of_walls: Vec<Share>,
+    pub(super) of_fluid: Vec<ListChunk>,
+    pub(super) of_walls: Vec<ListChunk>,
     /// The records of walls that have fluid near, to each of which a row of `of_walls` belongs.
     pub(super) wet: Vec<u32>,
-    /// The record of nobody.
-    pub(super) nobody: u32,
-    level: Level,
+    /// The record that pads blocks: never a neighbour.
+    pub(super) padding: u32,
+    level: InstructionSet,
 }
 
 /// A particle again, elsewhere.
@@ -48,20 +48,20 @@ pub(super) struct Image<T, const D: usize> {
 }
 
 /// Particles that are candidates together, with their images.
-struct Crowd<T, const D: usize> {
-    cells: Cells<T, D>,
+struct CandidateSet<T, const D: usize> {
+    cells: SortedCells<T, D>,
     /// The record of each, in the order of the cells.
     records: Vec<u32>,
 }
 
-/// The rows of [`SHARE`] particles: candidates from the fluid, then from the walls, each filled up to whole blocks with nobody.
+/// The rows of [`LIST_CHUNK`] particles: candidates from the fluid, then from the walls, each filled up to whole blocks with padding.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Share {
+pub(super) struct ListChunk {
     ends: Vec<[usize; 2]>,
     candidates: Vec<u32>,
 }
 
-impl Share {
+impl ListChunk {
     /// How many rows there are.
     pub(super) fn len(&self) -> usize {
         self.ends.len()
@@ -76,7 +76,7 @@ impl Share {
     }
 }
 
-impl<T: Real, const D: usize> Rows<T, D> {
+impl<T: Real, const D: usize> VerletLists<T, D> {
     /// For walls that stand still after so many fluid particles.
     pub(super) fn new(
         domain: Domain<T, D>,
@@ -84,14 +84,14 @@ impl<T: Real, const D: usize> Rows<T, D> {
         fluid: usize,
         walls: &[[T; D]],
     ) -> Result<Self, Error> {
-        let reach = support * T::from_f64(1.0 + MARGIN);
+        let reach = support * T::from_f64(1.0 + SKIN);
         let mut images = Vec::new();
-        let nobody = fluid + walls.len();
-        let walls = Crowd::new(&domain, reach, walls, fluid, nobody + 1, &mut images)?;
+        let padding = fluid + walls.len();
+        let walls = CandidateSet::new(&domain, reach, walls, fluid, padding + 1, &mut images)?;
         Ok(Self {
             domain,
             reach,
-            slack: support * T::from_f64(0.499 * MARGIN),
+            max_displacement: support * T::from_f64(0.499 * SKIN),
             listed_at: Vec::new(),
             walls,
             wall_images: images.len(),
@@ -99,14 +99,14 @@ impl<T: Real, const D: usize> Rows<T, D> {
             of_fluid: Vec::new(),
             of_walls: Vec::new(),
             wet: Vec::new(),
-            nobody: nobody as u32,
-            level: Level::best(),
+            padding: padding as u32,
+            level: InstructionSet::best(),
         })
     }
 
     /// The same with the code of another instruction set.
     #[cfg(test)]
-    pub(super) fn at_level(self, level: Level) -> Self {
+    pub(super) fn at_level(self, level: InstructionSet) -> Self {
         Self { level, ..self }
     }
 
@@ -117,7 +117,7 @@ impl<T: Real, const D: usize> Rows<T, D> {
 
     /// The numbers of fluid particles in the order of their cells, by number within a cell.
     pub(super) fn order(&self, fluid: &[[T; D]]) -> Result<Vec<u32>, Error> {
-        Ok(Cells::sort(fluid, self.reach)?.order().to_vec())
+        Ok(SortedCells::sort(fluid, self.reach)?.order().to_vec())
     }
 
     /// Where a particle is on the side where it was when the rows were listed.
@@ -128,19 +128,22 @@ impl<T: Real, const D: usize> Rows<T, D> {
 
     /// Lists rows anew where that is needed, and says whether it was.
     pub(super) fn update(&mut self, fluid: &[[T; D]], walls: &[[T; D]]) -> Result<bool, Error> {
-        let (slack, domain) = (self.slack * self.slack, &self.domain);
-        let near = |(x, at): (&[T; D], &[T; D])| norm_squared(&sub(&unwrapped(domain, x, at), at)) < slack;
+        let (max_displacement, domain) = (self.max_displacement * self.max_displacement, &self.domain);
+        let near = |(x, at): (&[T; D], &[T; D])| {
+            norm_squared(&sub(&unwrapped(domain, x, at), at)) < max_displacement
+        };
         if !self.listed_at.is_empty() && fluid.par_iter().with_min_len(1024).zip(&self.listed_at).all(near) {
             return Ok(false);
         }
         self.images.truncate(self.wall_images);
         let first_image = fluid.len() + walls.len() + 1 + self.wall_images;
-        let crowd = Crowd::new(&self.domain, self.reach, fluid, 0, first_image, &mut self.images)?;
-        let nobody = self.nobody;
-        list(&mut self.of_fluid, self.level, nobody, fluid, &[&crowd, &self.walls]);
+        let candidates_of_fluid =
+            CandidateSet::new(&self.domain, self.reach, fluid, 0, first_image, &mut self.images)?;
+        let padding = self.padding;
+        list(&mut self.of_fluid, self.level, padding, fluid, &[&candidates_of_fluid, &self.walls]);
         self.find_wet(fluid.len(), walls.len());
         let wet: Vec<[T; D]> = self.wet.iter().map(|&wall| walls[wall as usize - fluid.len()]).collect();
-        list(&mut self.of_walls, self.level, nobody, &wet, &[&crowd]);
+        list(&mut self.of_walls, self.level, padding, &wet, &[&candidates_of_fluid]);
         self.listed_at.clear();
         self.listed_at.extend_from_slice(fluid);
         Ok(true)
@@ -149,9 +152,9 @@ impl<T: Real, const D: usize> Rows<T, D> {
     /// Finds the walls that are candidates of the fluid, themselves or by an image.
     fn find_wet(&mut self, fluid: usize, walls: usize) {
         let mut is_wet = vec![false; walls];
-        for share in &self.of_fluid {
-            for k in 0..share.len() {
-                for &record in share.row(k)[1].as_flattened() {
+        for chunk in &self.of_fluid {
+            for k in 0..chunk.len() {
+                for &record in chunk.row(k)[1].as_flattened() {
                     let record = record as usize;
                     let image = record.checked_sub(fluid + walls + 1).map(|image| &self.images[image]);
                     let wall = image.map_or(record, |image| image.of as usize) - fluid;
@@ -166,7 +169,7 @@ impl<T: Real, const D: usize> Rows<T, D> {
     }
 }
 
-impl<T: Real, const D: usize> Crowd<T, D> {
+impl<T: Real, const D: usize> CandidateSet<T, D> {
     /// Particles whose records begin at `first`, and their images, whose records begin at `first_image`.
     fn new(
         domain: &Domain<T, D>,
@@ -196,7 +199,7 @@ impl<T: Real, const D: usize> Crowd<T, D> {
                 }
             }
         }
-        let cells = Cells::sort(&all, reach)?;
+        let cells = SortedCells::sort(&all, reach)?;
         let record = |&place: &u32| match (place as usize).checked_sub(particles.len()) {
             None => first as u32 + place,
             Some(image) => (first_image + image) as u32,
@@ -222,26 +225,26 @@ fn unwrapped<T: Real, const D: usize>(domain: &Domain<T, D>, x: &[T; D], at: &[T
     })
 }
 
-/// Lists the rows of particles at `positions` in shares.
+/// Lists the rows of particles at `positions` in chunks.
 fn list<T: Real, const D: usize>(
-    shares: &mut Vec<Share>,
-    level: Level,
-    nobody: u32,
+    chunks: &mut Vec<ListChunk>,
+    level: InstructionSet,
+    padding: u32,
     positions: &[[T; D]],
-    crowds: &[&Crowd<T, D>],
+    candidate_sets: &[&CandidateSet<T, D>],
 ) {
-    shares.resize(positions.len().div_ceil(SHARE), Share::default());
-    shares.par_iter_mut().zip(positions.par_chunks(SHARE)).for_each(|(share, positions)| {
-        T::dispatch(level, List { share, nobody, positions, crowds });
+    chunks.resize(positions.len().div_ceil(LIST_CHUNK), ListChunk::default());
+    chunks.par_iter_mut().zip(positions.par_chunks(LIST_CHUNK)).for_each(|(chunk, positions)| {
+        T::dispatch(level, List { chunk, padding, positions, candidate_sets });
     });
 }
 
-/// Lists the rows of a share.
+/// Lists the rows of a chunk.
 struct List<'a, T, const D: usize> {
-    share: &'a mut Share,
-    nobody: u32,
+    chunk: &'a mut ListChunk,
+    padding: u32,
     positions: &'a [[T; D]],
-    crowds: &'a [&'a Crowd<T, D>],
+    candidate_sets: &'a [&'a CandidateSet<T, D>],
 }
 
 impl<T: Real, const D: usize> Job<T> for List<'_, T, D> {
@@ -249,25 +252,26 @@ impl<T: Real, const D: usize> Job<T> for List<'_, T, D> {
 
     #[inline(always)]
     fn run<I: Isa<T>>(self, isa: I) {
-        let Self { share: Share { ends: share_ends, candidates }, nobody, positions, crowds } = self;
+        let Self { chunk: ListChunk { ends: chunk_ends, candidates }, padding, positions, candidate_sets } =
+            self;
         let mut blocks: Vec<Block> = Vec::new();
-        share_ends.clear();
+        chunk_ends.clear();
         let mut end = 0;
         for x in positions {
             let mut ends = [0; 2];
             for part in 0..2 {
-                if let Some(crowd) = crowds.get(part) {
+                if let Some(set) = candidate_sets.get(part) {
                     let first = end;
-                    end = list_places(isa, &crowd.cells, x, &mut blocks, candidates, first);
+                    end = list_places(isa, &set.cells, x, &mut blocks, candidates, first);
                     for place in &mut candidates[first..end] {
-                        *place = crowd.records[*place as usize];
+                        *place = set.records[*place as usize];
                     }
-                    *sixteen_mut(candidates, end) = [nobody; BLOCK];
+                    *sixteen_mut(candidates, end) = [padding; BLOCK];
                     end = end.next_multiple_of(BLOCK);
                 }
                 ends[part] = end;
             }
-            share_ends.push(ends);
+            chunk_ends.push(ends);
         }
     }
 }

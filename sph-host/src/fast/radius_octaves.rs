@@ -4,30 +4,30 @@ use rayon::prelude::*;
 use sph_core::{Error, Parameter};
 
 use super::fields::{Fields, Part};
-use super::set::{Cells, check_length, check_radius};
-use super::simd::{Level, Real};
+use super::set::{SortedCells, check_length, check_radius};
+use super::simd::{InstructionSet, Real};
 
-/// Particles sorted by the octave of their support radius, and within each octave into [`Cells`]: a point looks at cells that
+/// Particles sorted by the octave of their support radius, and within each octave into [`SortedCells`]: a point looks at cells that
 /// suit the radii in them, however widely these differ.
 ///
 /// ```
 /// use sph_core::kernel::CubicSpline;
-/// use sph_host::fast::Levels;
-/// let levels = Levels::sort(&[[0.0_f64], [1.0], [1.5]], &[0.8, 2.0, 0.1])?;
+/// use sph_host::fast::RadiusOctaves;
+/// let levels = RadiusOctaves::sort(&[[0.0_f64], [1.0], [1.5]], &[0.8, 2.0, 0.1])?;
 /// let sums = levels.fields(&[&[1.0, 1.0, 1.0]])?.at::<CubicSpline>(&[[0.0]], false)?;
 /// assert_eq!(sums.reached, [2]);
 /// # Ok::<(), sph_core::Error>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct Levels<T, const D: usize> {
-    parts: Vec<(Cells<T, D>, Own<T>)>,
+pub struct RadiusOctaves<T, const D: usize> {
+    parts: Vec<(SortedCells<T, D>, OwnRadii<T>)>,
     len: usize,
 }
 
 /// What each particle of some cells has instead of one h for all, in the order of the cells,
 /// and after the last a block of zeros.
 #[derive(Clone, Debug)]
-pub(super) struct Own<T> {
+pub(super) struct OwnRadii<T> {
     /// h_j²
     pub(super) squares: Vec<T>,
     /// 1 / h_j
@@ -36,12 +36,12 @@ pub(super) struct Own<T> {
     pub(super) least: T,
 }
 
-impl<T: Real, const D: usize> Levels<T, D> {
+impl<T: Real, const D: usize> RadiusOctaves<T, D> {
     /// Sorts particles, each with its support radius.
     ///
     /// # Errors
     /// [`Error::LengthMismatch`] unless there is a radius for each particle; for the radii and positions as
-    /// [`Cells::sort`], a position's index being that among the particles of its octave.
+    /// [`SortedCells::sort`], a position's index being that among the particles of its octave.
     pub fn sort(positions: &[[T; D]], radii: &[T]) -> Result<Self, Error> {
         check_length(radii.len(), positions.len(), Parameter::SupportRadius)?;
         radii.iter().enumerate().try_for_each(|(index, &radius)| check_radius(radius, index))?;
@@ -58,9 +58,9 @@ impl<T: Real, const D: usize> Levels<T, D> {
         Ok(Self { parts: parts.collect::<Result<_, _>>()?, len: positions.len() })
     }
 
-    /// As [`Cells::at_level`].
+    /// As [`SortedCells::at_level`].
     #[must_use]
-    pub fn at_level(self, level: Level) -> Self {
+    pub fn at_level(self, level: InstructionSet) -> Self {
         let parts = self.parts.into_iter().map(|(cells, own)| (cells.at_level(level), own)).collect();
         Self { parts, ..self }
     }
@@ -77,10 +77,10 @@ impl<T: Real, const D: usize> Levels<T, D> {
         self.len == 0
     }
 
-    /// As [`Cells::fields`].
+    /// As [`SortedCells::fields`].
     ///
     /// # Errors
-    /// As [`Cells::fields`].
+    /// As [`SortedCells::fields`].
     pub fn fields(&self, coefficients: &[&[T]]) -> Result<Fields<'_, T, D>, Error> {
         for slice in coefficients {
             check_length(slice.len(), self.len(), Parameter::Value)?;
@@ -95,16 +95,16 @@ fn part<T: Real, const D: usize>(
     positions: &[[T; D]],
     radii: &[T],
     indices: &[u32],
-) -> Result<(Cells<T, D>, Own<T>), Error> {
+) -> Result<(SortedCells<T, D>, OwnRadii<T>), Error> {
     let chosen: Vec<[T; D]> = indices.iter().map(|&j| positions[j as usize]).collect();
     let of = |index: &u32| radii[*index as usize];
     let first = indices.first().map_or(T::ONE, of);
     let (least, most) = indices.iter().map(of).fold((first, first), |(least, most), radius| {
         (if radius < least { radius } else { least }, if radius > most { radius } else { most })
     });
-    let mut cells = Cells::sort(&chosen, most)?;
+    let mut cells = SortedCells::sort(&chosen, most)?;
     cells.sorted.order.iter_mut().for_each(|index| *index = indices[*index as usize]);
     let squares = cells.sorted.column(|j| radii[j] * radii[j]);
     let inverses = cells.sorted.column(|j| T::ONE / radii[j]);
-    Ok((cells, Own { squares, inverses, least }))
+    Ok((cells, OwnRadii { squares, inverses, least }))
 }

@@ -5,39 +5,39 @@ use std::ops::Range;
 
 use sph_core::vector::norm_squared;
 
-use super::records::{Records, Wide};
-use super::rows::Share;
-use crate::fast::{BLOCK, Evaluate, Isa, Job, Lanes, Level, Real, reserve, sixteen_mut};
+use super::records::{ParticleRecords, Wide};
+use super::verlet_lists::ListChunk;
+use crate::fast::{BLOCK, Evaluate, InstructionSet, Isa, Job, Lanes, Real, reserve, sixteen_mut};
 use crate::kernel_choice::{KernelName, with_kernel};
 
 /// The kernel of a run.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Weight<T> {
-    pub(super) kernel: KernelName,
+pub(super) struct SimdKernel<T> {
+    pub(super) name: KernelName,
     /// 1/h²
     inverse_square: T,
     /// σ h^{-D−2}: ∇W = this · f′(q)/q · x
-    pub(super) steepness: T,
-    pub(super) level: Level,
+    pub(super) gradient_scale: T,
+    pub(super) level: InstructionSet,
 }
 
-impl<T: Real> Weight<T> {
+impl<T: Real> SimdKernel<T> {
     /// For a support radius.
     pub(super) fn new<const D: usize>(kernel: KernelName, support: T) -> Self {
         let h = support.to_f64();
         let constant = kernel.normalisation(D as u32) / h.powi(D as i32 + 2);
         Self {
-            kernel,
+            name: kernel,
             inverse_square: T::from_f64(1.0 / (h * h)),
-            steepness: T::from_f64(constant),
-            level: Level::best(),
+            gradient_scale: T::from_f64(constant),
+            level: InstructionSet::best(),
         }
     }
 }
 
 /// What was found about some consecutive particles: of each the numbers of its blocks of fluid and of walls.
 #[derive(Clone, Debug)]
-pub(super) struct Near<T, const D: usize> {
+pub(super) struct Neighbourhoods<T, const D: usize> {
     pub(super) spans: Vec<[Range<usize>; 2]>,
     /// Records.
     pub(super) places: Vec<u32>,
@@ -51,7 +51,7 @@ pub(super) struct Near<T, const D: usize> {
     pub(super) slopes: Vec<T>,
 }
 
-impl<T, const D: usize> Default for Near<T, D> {
+impl<T, const D: usize> Default for Neighbourhoods<T, D> {
     fn default() -> Self {
         Self {
             spans: Vec::new(),
@@ -64,28 +64,28 @@ impl<T, const D: usize> Default for Near<T, D> {
     }
 }
 
-impl<T: Real, const D: usize> Near<T, D> {
-    /// Looks about the particles at `places`, whose rows are those of a share from number `first` on.
-    pub(super) fn look(
+impl<T: Real, const D: usize> Neighbourhoods<T, D> {
+    /// Looks about the particles at `places`, whose rows are those of a chunk from number `first` on.
+    pub(super) fn find_neighbours(
         &mut self,
-        weight: &Weight<T>,
-        records: &Records<T>,
-        share: &Share,
+        kernel: &SimdKernel<T>,
+        records: &ParticleRecords<T>,
+        chunk: &ListChunk,
         first: usize,
         places: impl Iterator<Item = usize>,
-        nobody: u32,
+        padding: u32,
     ) {
-        let inverse_square = weight.inverse_square;
-        let look = Look { near: self, inverse_square, records, share, first, places, nobody };
-        let end = T::dispatch(weight.level, look);
+        let inverse_square = kernel.inverse_square;
+        let job = FindNeighbours { near: self, inverse_square, records, chunk, first, places, padding };
+        let end = T::dispatch(kernel.level, job);
         reserve(&mut self.profiles, end);
         reserve(&mut self.slopes, end);
         let squares = &self.squares[..end];
         let (profiles, slopes) = (&mut self.profiles[..end], &mut self.slopes[..end]);
-        with_kernel!(weight.kernel, K => {
-            let kernel = PhantomData::<K>;
-            let evaluate = Evaluate::<_, _, D> { squares, inverse: T::ONE, inverses: None, profiles, slopes, kernel };
-            T::dispatch(weight.level, evaluate);
+        with_kernel!(kernel.name, K => {
+            let profile_of = PhantomData::<K>;
+            let evaluate = Evaluate::<_, _, D> { squares, inverse: T::ONE, inverses: None, profiles, slopes, kernel: profile_of };
+            T::dispatch(kernel.level, evaluate);
         });
     }
 
@@ -96,10 +96,10 @@ impl<T: Real, const D: usize> Near<T, D> {
         self.offsets.iter_mut().for_each(|axis| reserve(axis, room));
     }
 
-    /// Fills up a block with nobody, at the end of the support.
+    /// Fills up a block with padding, at the end of the support.
     #[inline(always)]
-    fn fill_up(&mut self, end: usize, nobody: u32) {
-        *sixteen_mut(&mut self.places, end) = [nobody; BLOCK];
+    fn fill_up(&mut self, end: usize, padding: u32) {
+        *sixteen_mut(&mut self.places, end) = [padding; BLOCK];
         *sixteen_mut(&mut self.squares, end) = [T::ONE; BLOCK];
         for axis in &mut self.offsets {
             *sixteen_mut(axis, end) = [T::ZERO; BLOCK];
@@ -124,29 +124,29 @@ fn wide<T: Real>(list: &[T], block: usize) -> Wide<T> {
 }
 
 /// Finds who is near.
-struct Look<'a, T, P, const D: usize> {
-    near: &'a mut Near<T, D>,
+struct FindNeighbours<'a, T, P, const D: usize> {
+    near: &'a mut Neighbourhoods<T, D>,
     inverse_square: T,
-    records: &'a Records<T>,
-    share: &'a Share,
+    records: &'a ParticleRecords<T>,
+    chunk: &'a ListChunk,
     first: usize,
     places: P,
-    nobody: u32,
+    padding: u32,
 }
 
-impl<T: Real, P: Iterator<Item = usize>, const D: usize> Job<T> for Look<'_, T, P, D> {
+impl<T: Real, P: Iterator<Item = usize>, const D: usize> Job<T> for FindNeighbours<'_, T, P, D> {
     /// How long the lists are.
     type Output = usize;
 
     #[inline(always)]
     fn run<I: Isa<T>>(self, isa: I) -> usize {
-        let Self { near, inverse_square, records, share, first, places, nobody } = self;
+        let Self { near, inverse_square, records, chunk, first, places, padding } = self;
         near.spans.clear();
         let mut end = 0;
         for (k, place) in places.enumerate() {
             let x: [Wide<T>; D] = records.position(place);
             let mut spans = [0..0, 0..0];
-            for (span, row) in spans.iter_mut().zip(share.row(first + k)) {
+            for (span, row) in spans.iter_mut().zip(chunk.row(first + k)) {
                 let start = end;
                 near.reserve(end + (row.len() + 1) * BLOCK);
                 for block in row {
@@ -164,7 +164,7 @@ impl<T: Real, P: Iterator<Item = usize>, const D: usize> Job<T> for Look<'_, T, 
                     isa.pack_places(mask, block, sixteen_mut(&mut near.places, end));
                     end += mask.count_ones() as usize;
                 }
-                near.fill_up(end, nobody);
+                near.fill_up(end, padding);
                 end = end.next_multiple_of(BLOCK);
                 *span = start / BLOCK..end / BLOCK;
             }

@@ -14,7 +14,7 @@ type Four<T> = [T; 4];
 
 /// All particles. A record is x p, v ρ, ∇ρ V, δv p/ρ²; the first of these four, which a search looks at, is kept for itself.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Records<T> {
+pub(super) struct ParticleRecords<T> {
     pub(super) places: Vec<Four<T>>,
     pub(super) states: Vec<[Four<T>; 3]>,
 }
@@ -33,13 +33,13 @@ pub(super) fn record<T: Real, const D: usize>(x: &[T; D], seen: &Seen<T, D>) -> 
     let state = [
         four(&seen.velocity, seen.density),
         four(&seen.density_gradient, seen.volume),
-        four(&seen.drift, seen.push),
+        four(&seen.shift_velocity, seen.pressure_term),
     ];
     (four(x, seen.pressure), state)
 }
 
-impl<T: Real> Records<T> {
-    /// Has room for so many; what is new is nobody, out of everybody's reach.
+impl<T: Real> ParticleRecords<T> {
+    /// Resizes to `count` records; new ones are padding: beyond every support, so never a neighbour.
     pub(super) fn resize<const D: usize>(&mut self, count: usize) {
         let (place, state) = record(&[T::from_f64(1e9); D], &Seen::NONE);
         self.places.resize(count, place);
@@ -132,9 +132,9 @@ fn seen<T: Real, const D: usize>([x, v, gradient, drift]: [[[T; BLOCK]; 4]; 4]) 
         density: Lanes(v[3]),
         pressure: Lanes(x[3]),
         volume: Lanes(gradient[3]),
-        push: Lanes(drift[3]),
+        pressure_term: Lanes(drift[3]),
         density_gradient: vector(&gradient),
-        drift: vector(&drift),
+        shift_velocity: vector(&drift),
     }
 }
 
