@@ -5,7 +5,6 @@
 use std::error::Error;
 use std::path::Path;
 
-use indicatif::ProgressBar;
 use sph_host::run::{self, CaseName, Options};
 
 /// A case, its resolutions, and the column of the series that is compared with that of the finest.
@@ -35,7 +34,7 @@ fn report(case: CaseName, resolutions: [u32; 3], column: &str) -> Result<(), Box
     for resolution in resolutions {
         let out = tempfile::tempdir()?;
         let options = Options { resolution: Some(resolution), ..Options::new(case, out.path().to_owned()) };
-        let summary = run::run(&options, &ProgressBar::hidden())?;
+        let summary = run::run(&options, &())?;
         runs.push((summary, read(out.path(), column)?));
     }
     for (k, check) in runs[0].0.checks.iter().enumerate() {

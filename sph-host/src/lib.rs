@@ -13,6 +13,7 @@ pub mod kernel_choice;
 pub mod output;
 mod parallel;
 pub mod picture;
+pub mod progress;
 pub mod run;
 pub mod sample;
 pub mod scalar_choice;

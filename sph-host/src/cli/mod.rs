@@ -2,6 +2,7 @@
 
 mod kernels;
 mod parse;
+mod progress;
 mod run;
 mod sample;
 

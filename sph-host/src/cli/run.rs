@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
+use super::progress::Bar;
 use super::{parse, to_stdout};
 use crate::failure::Failure;
 use crate::kernel_choice::KernelName;
@@ -91,7 +91,7 @@ pub(super) fn run(args: RunArgs) -> Result<(), Failure> {
         force: args.force,
         threads: args.threads,
     };
-    let summary = run::run(&options, &progress(args.quiet))?;
+    let summary = run::run(&options, &Bar::new(args.quiet, "{bar:40} {percent} %, {eta} left"))?;
     to_stdout(std::io::stdout().write_all(summary.table().as_bytes()))?;
     if summary.escaped > 0 {
         return Err(Failure::input(format!("{} particles escaped", summary.escaped)));
@@ -102,15 +102,5 @@ pub(super) fn run(args: RunArgs) -> Result<(), Failure> {
             Err(Failure::input(format!("{name}: {value}, expected at most {goal}")))
         }
         _ => Ok(()),
-    }
-}
-
-fn progress(quiet: bool) -> ProgressBar {
-    // indicatif draws nothing where stderr is no terminal
-    let target = if quiet { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
-    let bar = ProgressBar::with_draw_target(None, target);
-    match ProgressStyle::with_template("{bar:40} {percent} %, {eta} left") {
-        Ok(style) => bar.with_style(style),
-        Err(_) => bar,
     }
 }

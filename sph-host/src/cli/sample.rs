@@ -5,10 +5,10 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use clap::{ArgGroup, Args};
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde_json::json;
 
 use super::parse::{self, Bounds, Counts};
+use super::progress::Bar;
 use super::{say, to_stdout};
 use crate::demo;
 use crate::failure::Failure;
@@ -117,7 +117,8 @@ pub(super) fn run(args: SampleArgs) -> Result<(), Failure> {
     if let Some(target) = &target {
         target.check(on_grid)?;
     }
-    let sampled = sample::run(&request, &progress(quiet))?;
+    let sampled =
+        sample::run(&request, &Bar::new(quiet, "{bar:40} {human_pos}/{human_len} points, {eta} left"))?;
     for warning in &sampled.warnings {
         say(&format!("warning: {warning}"));
     }
@@ -210,16 +211,6 @@ fn check_dimensions(counts: &[usize], bounds: Option<&[f64]>, dim: Option<usize>
         return Err(Failure::usage(format!("--grid has {axes} axes, but --dim is {dim}")));
     }
     Ok(())
-}
-
-fn progress(quiet: bool) -> ProgressBar {
-    // indicatif draws nothing where stderr is no terminal
-    let target = if quiet { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
-    let bar = ProgressBar::with_draw_target(None, target);
-    match ProgressStyle::with_template("{bar:40} {human_pos}/{human_len} points, {eta} left") {
-        Ok(style) => bar.with_style(style),
-        Err(_) => bar,
-    }
 }
 
 fn timing_line(sampled: &Sampled, write: f64) -> serde_json::Value {

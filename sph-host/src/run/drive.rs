@@ -2,7 +2,6 @@
 
 use std::time::Instant;
 
-use indicatif::ProgressBar;
 use sph_core::scalar::compact::Compact;
 
 use super::Solver;
@@ -13,6 +12,7 @@ use crate::engine::{PositionBased, RunError, Setup, Simulate, Simulation, Snapsh
 use crate::failure::Failure;
 use crate::kernel_choice::KernelName;
 use crate::output::Precision;
+use crate::progress::Progress;
 use crate::scalar_choice::{ScalarName, with_scalar};
 
 /// Rows of the series in the time of one frame.
@@ -98,7 +98,7 @@ impl<'a, const D: usize> Drive<'a, D> {
 
     /// On to the next frame: rows on the way, forces anew at the end, as a resumed run has them. The first frame is the start,
     /// and none is later than `end`.
-    pub(super) fn next_frame(&mut self, end: f64, progress: &ProgressBar) -> Result<Snapshot<D>, Failure> {
+    pub(super) fn next_frame(&mut self, end: f64, progress: &dyn Progress) -> Result<Snapshot<D>, Failure> {
         if self.frames == 0 {
             self.frames = 1;
             return self.row();
@@ -115,7 +115,7 @@ impl<'a, const D: usize> Drive<'a, D> {
             self.simulation.advance(time).map_err(|error| self.lost(error))?;
             self.stepping += start.elapsed().as_secs_f64();
             snapshot = Some(self.row()?);
-            progress.inc(1);
+            progress.advance(1);
         }
         self.simulation.prepare().map_err(|error| self.lost(error.into()))?;
         self.frames += 1;

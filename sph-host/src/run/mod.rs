@@ -24,11 +24,11 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use clap::ValueEnum;
-use indicatif::ProgressBar;
 use serde_json::json;
 
 use crate::failure::Failure;
 use crate::kernel_choice::KernelName;
+use crate::progress::Progress;
 use crate::scalar_choice::ScalarName;
 use case::Case;
 use drive::{Drive, Method, ROWS_A_FRAME};
@@ -133,7 +133,7 @@ const MOST_FRAMES: f64 = 1e5;
 /// # Errors
 /// [`Failure::Usage`] for options that contradict each other, [`Failure::Input`] where the directory is taken or cannot be written,
 /// or the run is lost: a number that is not finite. A particle that escaped does not end the run; see [`Summary::escaped`].
-pub fn run(options: &Options, progress: &ProgressBar) -> Result<Summary, Failure> {
+pub fn run(options: &Options, progress: &dyn Progress) -> Result<Summary, Failure> {
     let resolution = options.resolution.unwrap_or_else(|| options.case.resolution(options.dim));
     if !RESOLUTIONS.contains(&resolution) {
         let (least, most) = (RESOLUTIONS.start(), RESOLUTIONS.end());
@@ -227,7 +227,7 @@ struct Job<'a> {
     options: &'a Options,
     method: Method,
     resolution: u32,
-    progress: &'a ProgressBar,
+    progress: &'a dyn Progress,
 }
 
 impl Job<'_> {
@@ -258,15 +258,14 @@ impl Job<'_> {
         let mut last = folder.resume(&mut drive)?;
         let before = folder.wall_seconds();
         let frames = drive.frames_in(duration);
-        progress.set_length(frames.saturating_sub(1) * ROWS_A_FRAME);
-        progress.set_position(drive.frames.saturating_sub(1) * ROWS_A_FRAME);
-        progress.reset_eta();
+        let rows = |frames: u64| frames.saturating_sub(1) * ROWS_A_FRAME;
+        progress.begin(rows(frames), rows(drive.frames));
         while drive.frames < frames {
             let snapshot = drive.next_frame(duration, progress)?;
             folder.add_frame(&drive, &snapshot, before + start.elapsed().as_secs_f64())?;
             last = Some(snapshot);
         }
-        progress.finish_and_clear();
+        progress.end();
         let last = last.ok_or_else(|| Failure::input("nothing was simulated"))?;
         let wall = before + start.elapsed().as_secs_f64();
         let mut summary = Summary::new(&drive, &last, particulars, wall);

@@ -13,10 +13,9 @@ fn options(case: CaseName, resolution: u32, out: &Path) -> Options {
 fn checks<const D: usize>(case: &dyn Case<D>, scalar: ScalarName, duration: f64) -> Vec<(String, f64)> {
     let method = Method { solver: Solver::Wcsph, scalar, kernel: KernelName::WendlandC2 };
     let mut drive = Drive::new(case, method, duration / 10.0).unwrap();
-    let progress = ProgressBar::hidden();
-    let mut last = drive.next_frame(duration, &progress).unwrap();
+    let mut last = drive.next_frame(duration, &()).unwrap();
     while drive.frames < drive.frames_in(duration) {
-        last = drive.next_frame(duration, &progress).unwrap();
+        last = drive.next_frame(duration, &()).unwrap();
     }
     drive.checks(&last).into_iter().map(|check| (check.name, check.value)).collect()
 }
@@ -83,7 +82,6 @@ fn read(path: &Path) -> Vec<u8> {
 #[test]
 fn threads_and_interruptions_change_no_bit() {
     let room = tempfile::tempdir().unwrap();
-    let progress = ProgressBar::hidden();
     let [whole, parted, single] = ["whole", "parted", "single"].map(|name| room.path().join(name));
     for scalar in [ScalarName::F64, ScalarName::F32] {
         let set = |out: &Path, time: f64| Options {
@@ -93,10 +91,10 @@ fn threads_and_interruptions_change_no_bit() {
             threads: Some(3),
             ..options(CaseName::DamBreak, 8, out)
         };
-        run(&set(&whole, 0.04), &progress).unwrap();
-        run(&set(&parted, 0.02), &progress).unwrap();
-        run(&Options { resume: true, ..set(&parted, 0.04) }, &progress).unwrap();
-        run(&Options { threads: Some(1), ..set(&single, 0.04) }, &progress).unwrap();
+        run(&set(&whole, 0.04), &()).unwrap();
+        run(&set(&parted, 0.02), &()).unwrap();
+        run(&Options { resume: true, ..set(&parted, 0.04) }, &()).unwrap();
+        run(&Options { threads: Some(1), ..set(&single, 0.04) }, &()).unwrap();
         for file in
             ["series.csv", "frame_0004.vtu", "frame_0004.png", "frames.pvd", "front.png", "animation.gif"]
         {
@@ -113,10 +111,9 @@ fn threads_and_interruptions_change_no_bit() {
 #[test]
 fn an_earlier_run_is_kept_unless_told_otherwise() {
     let room = tempfile::tempdir().unwrap();
-    let progress = ProgressBar::hidden();
     let short =
         Options { time: Some(1e-3), every: Some(1e-3), ..options(CaseName::Hydrostatic, 8, room.path()) };
-    let summary = run(&short, &progress).unwrap();
+    let summary = run(&short, &()).unwrap();
     for name in
         ["particles", "steps", "simulated_s", "wall_s", "mass_drift", "momentum_drift", "energy_drift"]
     {
@@ -124,13 +121,13 @@ fn an_earlier_run_is_kept_unless_told_otherwise() {
     }
     assert!(summary.json["checks"].as_array().is_some_and(|checks| checks.len() == summary.checks.len()));
     let before = read(&room.path().join("series.csv"));
-    let refused = run(&short, &progress).unwrap_err();
+    let refused = run(&short, &()).unwrap_err();
     assert_eq!(refused.status(), 1);
     assert!(refused.to_string().contains("--resume"), "{refused}");
     assert_eq!(before, read(&room.path().join("series.csv")));
     let other = Options { resume: true, resolution: Some(9), ..short.clone() };
-    assert!(run(&other, &progress).unwrap_err().to_string().contains("resolution 8"));
-    run(&Options { force: true, ..short }, &progress).unwrap();
+    assert!(run(&other, &()).unwrap_err().to_string().contains("resolution 8"));
+    run(&Options { force: true, ..short }, &()).unwrap();
 }
 
 #[test]
@@ -144,6 +141,6 @@ fn contradictions_are_wrong_usage() {
         Options { scalar: Some(ScalarName::I16f16), ..base },
     ];
     for options in wrong {
-        assert_eq!(run(&options, &ProgressBar::hidden()).unwrap_err().status(), 2, "{options:?}");
+        assert_eq!(run(&options, &()).unwrap_err().status(), 2, "{options:?}");
     }
 }

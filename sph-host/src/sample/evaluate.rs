@@ -2,7 +2,6 @@
 
 use std::time::Instant;
 
-use indicatif::ProgressBar;
 use sph_core::{Field, Scalar, Sources};
 
 use super::load::Particles;
@@ -14,6 +13,7 @@ use super::units::Units;
 use crate::failure::Failure;
 use crate::output::Column;
 use crate::parallel;
+use crate::progress::Progress;
 
 /// The columns of the result, and what was counted on the way.
 #[derive(Clone, Debug, Default)]
@@ -55,7 +55,7 @@ pub(super) fn evaluate<T: Scalar, const D: usize>(
     request: &Request,
     particles: &Particles,
     points: &Points,
-    progress: &ProgressBar,
+    progress: &dyn Progress,
 ) -> Result<Evaluated, Failure> {
     let start = Instant::now();
     let units = Units::<D>::of::<T>(particles);
@@ -76,7 +76,7 @@ pub(super) fn evaluate<T: Scalar, const D: usize>(
             sums.row(&x, &mut near, &mut Row { cells: row.iter_mut(), counts: &mut counts });
             row.iter_mut().zip(&scales).for_each(|(value, scale)| *value *= scale);
         }
-        progress.inc((rows.len() / width) as u64);
+        progress.advance((rows.len() / width) as u64);
         counts
     });
     let counts = counts.into_iter().fold(Counts::default(), |a, b| a + b);

@@ -5,7 +5,6 @@
 
 use std::time::Instant;
 
-use indicatif::ProgressBar;
 use sph_core::{Error, Uniform, field};
 
 use super::evaluate::{Counts, Evaluated, columns, names};
@@ -18,6 +17,7 @@ use crate::failure::Failure;
 use crate::fast::{Fields, RadiusOctaves, Real, SortedCells, Sums};
 use crate::kernel_choice::{KernelName, with_kernel};
 use crate::parallel;
+use crate::progress::Progress;
 
 /// Points that are evaluated together.
 const BATCH: usize = 1 << 17;
@@ -29,7 +29,7 @@ pub(super) fn evaluate<T: Real, const D: usize>(
     request: &Request,
     particles: &Particles,
     points: &Points,
-    progress: &ProgressBar,
+    progress: &dyn Progress,
 ) -> Result<Evaluated, Failure> {
     let failed = |error: Error| Failure::input(format!("{}: {error}", particles.source));
     let start = Instant::now();
@@ -61,7 +61,7 @@ pub(super) fn evaluate<T: Real, const D: usize>(
         }
         let skip = usize::from(weights.at_particles.is_some());
         counts = counts + plan.batch(&fields, points, first, Rows { rows, width, skip }).map_err(failed)?;
-        progress.inc((rows.len() / width) as u64);
+        progress.advance((rows.len() / width) as u64);
     }
     let columns = columns(names, &rows);
     Ok(Evaluated { columns, counts, search_seconds, evaluate_seconds: start.elapsed().as_secs_f64() })

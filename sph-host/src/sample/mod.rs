@@ -22,8 +22,8 @@ use std::time::Instant;
 
 use crate::failure::Failure;
 use crate::output::{Precision, Table};
+use crate::progress::Progress;
 use crate::scalar_choice::{ScalarName, with_scalar};
-use indicatif::ProgressBar;
 
 /// Seconds that each part took.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -58,7 +58,7 @@ const MOST_THREADS: usize = 256;
 ///
 /// # Errors
 /// [`Failure`] with one clear message.
-pub fn run(request: &Request, progress: &ProgressBar) -> Result<Sampled, Failure> {
+pub fn run(request: &Request, progress: &dyn Progress) -> Result<Sampled, Failure> {
     points::refuse_oversize(request)?;
     let start = Instant::now();
     let mut slabs = slabs(request)?;
@@ -70,7 +70,7 @@ pub fn run(request: &Request, progress: &ProgressBar) -> Result<Sampled, Failure
     let points = points::points(request, &particles)?;
     let read = start.elapsed().as_secs_f64();
 
-    progress.set_length(points.len() as u64);
+    progress.begin(points.len() as u64, 0);
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(request.threads.map_or(0, |threads| threads.min(MOST_THREADS)))
         .build()
@@ -79,7 +79,7 @@ pub fn run(request: &Request, progress: &ProgressBar) -> Result<Sampled, Failure
         Some(slabs) => slabs.evaluate(request, &points, progress),
         None => evaluate(request, &particles, &points, progress),
     })?;
-    progress.finish_and_clear();
+    progress.end();
 
     let precision = if request.scalar == ScalarName::F32 { Precision::F32 } else { Precision::F64 };
     let caption = caption(request, &particles, count);
@@ -99,7 +99,7 @@ fn evaluate(
     request: &Request,
     particles: &Particles,
     points: &points::Points,
-    progress: &ProgressBar,
+    progress: &dyn Progress,
 ) -> Result<evaluate::Evaluated, Failure> {
     macro_rules! in_dimensions {
         ($($function:ident)::+, $T:ty) => {

@@ -10,8 +10,6 @@ use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::ops::Range;
 use std::path::Path;
 
-use indicatif::ProgressBar;
-
 use super::evaluate::{Evaluated, columns, names};
 use super::load::{self, Particles, Support, Values};
 use super::outline::Outline;
@@ -20,6 +18,7 @@ use super::request::Request;
 use crate::failure::Failure;
 use crate::io::Pieces;
 use crate::output::Column;
+use crate::progress::Progress;
 
 /// Margin over what sums can depend on, for the rounding of distances.
 const MARGIN: f64 = 1.001;
@@ -69,7 +68,7 @@ impl Slabs {
         &mut self,
         request: &Request,
         points: &Points,
-        progress: &ProgressBar,
+        progress: &dyn Progress,
     ) -> Result<Evaluated, Failure> {
         let corners = self.corners()?;
         let names = names(&corners, request.gradient);
