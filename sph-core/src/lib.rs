@@ -45,6 +45,7 @@ pub mod fluid;
 pub mod hardware {}
 pub mod influence;
 pub mod kernel;
+pub mod lane;
 pub mod neighbours;
 pub mod quadrature;
 pub mod samples;
@@ -54,6 +55,7 @@ pub mod vector;
 pub use error::{Error, Parameter};
 pub use field::Field;
 pub use influence::{ClosureInfluence, Influence, InfluenceOf, KernelInfluence, PerSampleInfluence};
+pub use lane::Lane;
 pub use neighbours::{
     Axis, BruteForce, CellGrid, CellLayout, CellOrder, Domain, Index, InlineCellGrid, Neighbour,
     NeighbourList, Neighbours, Open, Space,

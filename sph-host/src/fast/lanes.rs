@@ -4,7 +4,7 @@ use std::hint::black_box;
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 use sph_core::Arithmetic;
-use sph_core::fluid::wcsph::Lane;
+use sph_core::Lane;
 
 use super::evaluate::total;
 use super::simd::{BLOCK, Real};

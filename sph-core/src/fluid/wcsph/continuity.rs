@@ -1,7 +1,7 @@
 //! How fast the density changes: the continuity equation in difference form, and the diffusion of δ-SPH.
 
-use super::lane::{add, sub};
 use super::{Lane, Pair, Pairs, ParticleStates, Scheme, Seen};
+use crate::lane::{add, sub};
 use crate::vector::dot;
 use crate::{Influence, Scalar};
 

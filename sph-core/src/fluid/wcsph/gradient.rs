@@ -4,8 +4,8 @@
 //! calls too few neighbours. L_i is the identity among neighbours on all sides, and has a half in it at a flat surface. A
 //! particle of spray has a fifth or less in some direction: there a gradient would be mostly noise, and none is given.
 
-use super::lane::{Lane, add_vector, scale, total_vector};
 use crate::Scalar;
+use crate::lane::{Lane, add_vector, scale, total_vector};
 
 /// The sums of one particle.
 #[derive(Clone, Copy)]

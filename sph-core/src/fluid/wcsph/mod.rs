@@ -27,7 +27,6 @@
 
 mod continuity;
 mod gradient;
-mod lane;
 mod momentum;
 mod pairs;
 mod step;
@@ -39,7 +38,6 @@ mod wall;
 mod tests;
 
 pub use continuity::RateSums;
-pub use lane::Lane;
 pub use momentum::{ForceSums, Forces};
 pub use pairs::{CellStorage, Pairs, Search};
 pub use step::Particles;
@@ -48,7 +46,7 @@ pub use time_step::Limits;
 pub use wall::WallSums;
 
 use super::EquationOfState;
-use crate::{CellLayout, Influence, Scalar};
+use crate::{CellLayout, Influence, Lane, Scalar};
 
 /// The liquid, and how it is stabilised.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,8 +1,8 @@
 //! What accelerates a particle.
 
 use super::gradient::DensityGradient;
-use super::lane::{add, add_vector, scale, sub, total_vector};
 use super::{Lane, Pair, Pairs, ParticleStates, Scheme, Seen};
+use crate::lane::{add, add_vector, scale, sub, total_vector};
 use crate::vector::{dot, norm_squared};
 use crate::{Influence, Scalar};
 

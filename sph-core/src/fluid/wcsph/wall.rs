@@ -7,8 +7,8 @@
 //! Source: S. Adami, X. Y. Hu, N. A. Adams, *A generalized wall boundary condition for smoothed particle hydrodynamics*,
 //! J. Comput. Phys. 231 (2012) 7057, eqs. (23), (27), for walls that stand still. Suction is left out, so that fluid comes free.
 
-use super::lane::{add_vector, splat_vector, total_vector};
 use super::{Lane, Pairs, Scheme, Seen};
+use crate::lane::{add_vector, splat_vector, total_vector};
 use crate::vector::{dot, scale};
 use crate::{Influence, Scalar};
 

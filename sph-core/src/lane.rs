@@ -49,7 +49,7 @@ impl<T: Scalar> Lane<T> for T {
 
 /// x − y. As in `crate::vector`, but in a loop, like what follows: compilers keep what closures make of several numbers in memory.
 #[inline(always)]
-pub(super) fn sub<A: Arithmetic, const D: usize>(x: &[A; D], y: &[A; D]) -> [A; D] {
+pub(crate) fn sub<A: Arithmetic, const D: usize>(x: &[A; D], y: &[A; D]) -> [A; D] {
     let mut difference = *x;
     for axis in 0..D {
         difference[axis] -= y[axis];
@@ -59,7 +59,7 @@ pub(super) fn sub<A: Arithmetic, const D: usize>(x: &[A; D], y: &[A; D]) -> [A; 
 
 /// x + y
 #[inline(always)]
-pub(super) fn add<A: Arithmetic, const D: usize>(x: &[A; D], y: &[A; D]) -> [A; D] {
+pub(crate) fn add<A: Arithmetic, const D: usize>(x: &[A; D], y: &[A; D]) -> [A; D] {
     let mut sum = *x;
     for axis in 0..D {
         sum[axis] += y[axis];
@@ -69,7 +69,7 @@ pub(super) fn add<A: Arithmetic, const D: usize>(x: &[A; D], y: &[A; D]) -> [A; 
 
 /// s x
 #[inline(always)]
-pub(super) fn scale<A: Arithmetic, const D: usize>(x: &[A; D], s: A) -> [A; D] {
+pub(crate) fn scale<A: Arithmetic, const D: usize>(x: &[A; D], s: A) -> [A; D] {
     let mut scaled = *x;
     for axis in 0..D {
         scaled[axis] = scaled[axis] * s;
@@ -79,7 +79,7 @@ pub(super) fn scale<A: Arithmetic, const D: usize>(x: &[A; D], s: A) -> [A; D] {
 
 /// x w, added axis by axis.
 #[inline(always)]
-pub(super) fn add_vector<T, A: Lane<T>, const D: usize>(sum: &mut [A::Sum; D], x: &[A; D], weight: A) {
+pub(crate) fn add_vector<T, A: Lane<T>, const D: usize>(sum: &mut [A::Sum; D], x: &[A; D], weight: A) {
     for axis in 0..D {
         (x[axis] * weight).add_to(&mut sum[axis]);
     }
@@ -87,7 +87,7 @@ pub(super) fn add_vector<T, A: Lane<T>, const D: usize>(sum: &mut [A::Sum; D], x
 
 /// The sums axis by axis.
 #[inline(always)]
-pub(super) fn total_vector<T: Scalar, A: Lane<T>, const D: usize>(sum: &[A::Sum; D]) -> [T; D] {
+pub(crate) fn total_vector<T: Scalar, A: Lane<T>, const D: usize>(sum: &[A::Sum; D]) -> [T; D] {
     let mut total = [T::ZERO; D];
     for axis in 0..D {
         total[axis] = A::total(sum[axis]);
@@ -97,7 +97,7 @@ pub(super) fn total_vector<T: Scalar, A: Lane<T>, const D: usize>(sum: &[A::Sum;
 
 /// The same vector for all pairs.
 #[inline(always)]
-pub(super) fn splat_vector<T: Copy, A: Lane<T>, const D: usize>(x: &[T; D]) -> [A; D] {
+pub(crate) fn splat_vector<T: Copy, A: Lane<T>, const D: usize>(x: &[T; D]) -> [A; D] {
     let mut wide = [A::ZERO; D];
     for axis in 0..D {
         wide[axis] = A::splat(x[axis]);
