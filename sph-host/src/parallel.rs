@@ -1,7 +1,7 @@
-//! Work spread over rayon's threads, by functions that hold nothing generic of rayon's.
+//! Work spread over rayon's threads, for code that is compiled once for each scalar, dimension and kernel.
 //!
-//! What rayon compiles for one loop is more than most loops here, and they come once a scalar, dimension and kernel: through
-//! one entry that is compiled once, the crate builds in a fraction of the time.
+//! A parallel iterator of rayon's takes longer to compile than most loops here. These functions share one such iterator, in
+//! `each`, so that generic code compiles in a fraction of the time. Code that is compiled a few times uses rayon itself.
 
 use std::sync::Mutex;
 
@@ -10,17 +10,17 @@ use rayon::prelude::*;
 /// Items that a thread takes at a time in [`fill`].
 const CHUNK: usize = 256;
 
-/// f(0), f(1) … f(count − 1), in any order and on any thread.
+/// Calls f(0), f(1) … f(count − 1), in any order and on any thread.
 fn each(count: usize, f: &(dyn Fn(usize) + Sync)) {
     (0..count).into_par_iter().for_each(f);
 }
 
-/// What a mutex guards; a thread that panicked with it takes the whole run down anyway.
+/// Locks a mutex, poisoned or not: a thread that panicked ends the whole run anyway.
 fn within<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(std::sync::PoisonError::into_inner)
 }
 
-/// Hands each piece of work to a thread, with its number; what came of them, in order.
+/// Hands each piece of work to a thread, with its number. Returns the results in order.
 pub(crate) fn map<W: Send, R: Send>(
     work: impl Iterator<Item = W>,
     f: impl Fn(usize, W) -> R + Sync,
@@ -45,7 +45,7 @@ pub(crate) fn for_each<W: Send>(work: impl Iterator<Item = W>, f: impl Fn(usize,
     });
 }
 
-/// As [`for_each`], with memory that one piece of work leaves to the next.
+/// As [`for_each`], with memory that later pieces of work use again.
 pub(crate) fn for_each_with<W: Send, M: Default + Send>(
     work: impl Iterator<Item = W>,
     f: impl Fn(&mut M, usize, W) + Sync,
