@@ -55,6 +55,12 @@ impl From<ReadError> for Failure {
 
 impl From<WriteError> for Failure {
     fn from(error: WriteError) -> Self {
-        if error.is_usage() { Self::Usage(error.to_string()) } else { Self::Input(error.to_string()) }
+        let hint = match &error {
+            WriteError::NeedsGrid(_) => ": it needs --grid",
+            WriteError::Exists(_) => "; use --force to replace it",
+            _ => "",
+        };
+        let message = format!("{error}{hint}");
+        if error.is_usage() { Self::Usage(message) } else { Self::Input(message) }
     }
 }

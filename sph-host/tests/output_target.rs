@@ -6,7 +6,7 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
-use sph_host::output::{Column, Format, Precision, Table, Target, WriteError, cleanup_on_interrupt, write};
+use sph_host::output::{Column, Precision, Table, Target, WriteError, cleanup_on_interrupt, write};
 
 fn table() -> Table {
     Table {
@@ -33,7 +33,7 @@ fn an_existing_target_is_kept_unless_forced() {
     fs::write(&target.path, "precious").unwrap();
     assert!(matches!(target.check(false), Err(WriteError::Exists(_))));
     let error = write(&table(), &target).unwrap_err();
-    assert!(error.to_string().ends_with("out.csv: already exists; use --force to replace it"), "{error}");
+    assert!(error.to_string().ends_with("out.csv: the file exists already and is kept"), "{error}");
     assert!(!error.is_usage());
     assert_eq!(fs::read_to_string(&target.path).unwrap(), "precious");
     target.force = true;
@@ -79,14 +79,42 @@ fn what_cannot_be_is_said_before_the_work() {
     }
     for name in ["out.png", "out.vti"] {
         let error = check(name, false).unwrap_err();
-        assert!(error.is_usage() && error.to_string().contains("needs --grid"), "{name}: {error}");
+        assert!(error.is_usage() && error.to_string().contains("no grid"), "{name}: {error}");
         assert!(check(name, true).is_ok());
     }
-    assert_eq!(check("OUT.CSV", false).unwrap(), Format::Csv);
+    assert_eq!(check("OUT.CSV", false).unwrap().ending, ".csv");
     assert!(matches!(check("missing/out.csv", false), Err(WriteError::Directory { .. })));
     fs::create_dir(directory.path().join("folder.vtk")).unwrap();
     assert!(matches!(check("folder.vtk", false), Err(WriteError::IsDirectory(_))));
     assert_eq!(names(directory.path()), ["folder.vtk"]);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_device_or_a_pipe_is_never_replaced() {
+    use std::os::unix::fs::symlink;
+    let directory = tempfile::tempdir().unwrap();
+    let pipe = directory.path().join("pipe.csv");
+    assert!(Command::new("mkfifo").arg(&pipe).status().unwrap().success());
+    let mut places = vec![pipe];
+    for device in ["null", "zero", "full"] {
+        let link = directory.path().join(format!("{device}.csv"));
+        symlink(Path::new("/dev").join(device), &link).unwrap();
+        places.push(link);
+    }
+    for path in places {
+        let before = fs::symlink_metadata(&path).unwrap().file_type();
+        for force in [false, true] {
+            let target = Target { path: path.clone(), force };
+            for result in [target.check(false).map(drop), write(&table(), &target), target.create(|_| Ok(()))]
+            {
+                let error = result.unwrap_err();
+                assert!(matches!(error, WriteError::NotAFile(_)) && !error.is_usage(), "{error}");
+            }
+        }
+        assert_eq!(fs::symlink_metadata(&path).unwrap().file_type(), before);
+    }
+    assert_eq!(names(directory.path()).len(), 4, "nothing is left over");
 }
 
 #[cfg(unix)]

@@ -58,7 +58,10 @@ fn text_harms_only_where_it_is_used() {
     let problem = |name: &str| message(table.quantity(name).unwrap_err());
     assert_eq!(problem("temp"), "line 4, column `temp`: `-` where a number is expected");
     assert_eq!(problem("kind"), "line 2, column `kind`: `air` where a number is expected");
-    assert_eq!(problem("note"), "line 2, column `note`: the cell is empty where a number is expected");
+    let note = table.quantity("note").unwrap();
+    assert!(note.values.iter().all(|value| value.is_nan()));
+    let empty = message(table.require_finite(&note).unwrap_err());
+    assert_eq!(empty, "line 2, column `note`: the cell is empty where a finite number is expected");
     assert_eq!(problem("X"), "line 1: `X` is a coordinate, not a quantity");
     assert!(problem("foo").contains("`temp`"));
     assert_eq!(table.locate(3), "line 7");
@@ -79,7 +82,7 @@ fn headers_at_fault() {
 
 #[test]
 fn rows_at_fault() {
-    assert_eq!(error("x,y\n1,2\n\n#\n1\n"), "line 5: the row has 1 cells where the header has 2");
+    assert_eq!(error("x,y\n1,2\n\n#\n1\n"), "line 5: the row has 1 cell where the header has 2");
     assert_eq!(error("x,y\n\"1\",2,3\n"), "line 2: the row has 3 cells where the header has 2");
     assert_eq!(error("x,y\n1,\"2\n3,4\n"), "line 2: a quotation mark is never closed");
     for text in ["1,5", "0x10", "1e", "--1", "1_0"] {

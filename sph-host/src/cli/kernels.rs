@@ -70,7 +70,7 @@ impl Row {
 pub(super) fn run(args: &KernelsArgs) -> Result<(), Failure> {
     let dims = args.dim.map_or_else(|| vec![1, 2, 3], |dim| vec![dim]);
     if let Some(path) = &args.plot {
-        if Format::of(path) != Some(Format::Png) {
+        if Format::of(path).is_none_or(|format| format.ending != ".png") {
             return Err(Failure::usage(format!("--plot {}: the file's ending must be .png", path.display())));
         }
         draw(args.dim.unwrap_or(3), &Target { path: path.clone(), force: args.force })?;

@@ -1,24 +1,38 @@
 //! What can be wrong with a particle file.
 
 use std::io;
+use std::path::Path;
 
-/// Why a particle file, or something asked of it, could not be had. Each message names the file.
+/// Why a particle file cannot be read, or does not hold what is asked of it. Each message names the file.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum ReadError {
-    /// The file's name ends in nothing that is known: the words are at fault, not the file.
-    #[error("{file}: files are read by their ending, one of {}", super::ENDINGS.join(", "))]
+    /// The ending of the file's name is not known. The file has not been looked at.
+    #[error("{file}: {}: one of {} is expected", unknown_ending(Path::new(file)), list(super::ENDINGS))]
     UnknownEnding {
         /// The file's name as given.
         file: String,
     },
-    /// The file's name ends in nothing that can be read piece by piece: the words are at fault, not the file.
-    #[error("{file}: a file is read in pieces by its ending, one of .csv, .tsv, .npz")]
+    /// Files with this ending cannot be read some points at a time. The file has not been looked at.
+    #[error(
+        "{file}: a file with this ending is not read some points at a time: one of {} is expected",
+        list(super::read::endings_in_pieces())
+    )]
     NotInPieces {
         /// The file's name as given.
         file: String,
     },
-    /// The system would not give the file's bytes.
+    /// The name belongs to a pipe or a device.
+    #[error("{file}: this is {found}; {expected}")]
+    NotAFile {
+        /// The file's name as given.
+        file: String,
+        /// What is there.
+        found: &'static str,
+        /// What can be read, and why only that.
+        expected: &'static str,
+    },
+    /// The system does not give the file's bytes.
     #[error("{file}: {source}")]
     Io {
         /// The file's name as given.
@@ -26,7 +40,7 @@ pub enum ReadError {
         /// What the system said.
         source: io::Error,
     },
-    /// The file's content is at fault, or has not what is asked of it.
+    /// The file's content is wrong, or does not hold what is asked of it.
     #[error("{file}: {}{problem}", .at.as_ref().map(|at| format!("{at}: ")).unwrap_or_default())]
     Invalid {
         /// The file's name as given.
@@ -42,6 +56,7 @@ pub enum ReadError {
 #[derive(Debug)]
 pub(super) enum Problem {
     Io(io::Error),
+    NotAFile { found: &'static str, expected: &'static str },
     Invalid { at: Option<String>, problem: String },
 }
 
@@ -71,6 +86,7 @@ impl Problem {
         let file = file.to_owned();
         match self {
             Self::Io(source) => ReadError::Io { file, source },
+            Self::NotAFile { found, expected } => ReadError::NotAFile { file, found, expected },
             Self::Invalid { at, problem } => ReadError::Invalid { file, at, problem },
         }
     }
@@ -80,6 +96,24 @@ impl From<io::Error> for Problem {
     fn from(source: io::Error) -> Self {
         Self::Io(source)
     }
+}
+
+/// Says that the ending of a path is not known.
+pub(crate) fn unknown_ending(path: &Path) -> String {
+    match path.extension() {
+        Some(ending) => format!("the ending .{} is not known", ending.display()),
+        None => "the name has no ending".to_owned(),
+    }
+}
+
+/// Names with commas between.
+fn list<'a>(names: impl IntoIterator<Item = &'a &'a str>) -> String {
+    names.into_iter().copied().collect::<Vec<_>>().join(", ")
+}
+
+/// A number of things, in the singular for one.
+pub(super) fn counted(count: usize, thing: &str) -> String {
+    if count == 1 { format!("1 {thing}") } else { format!("{count} {thing}s") }
 }
 
 /// Text of a file for a message: what is no UTF-8 replaced, control characters escaped, cut after 40 characters.

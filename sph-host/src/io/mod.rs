@@ -4,18 +4,17 @@
 //! one or more numbers a point. Nothing here knows what the numbers mean beyond the special names: `x`, `y`, `z` are
 //! coordinates, `m` or `mass` the mass, `rho` or `density` the density, in any case of letters.
 //!
-//! | ending | what is read |
-//! |---|---|
-//! | `.csv`, `.tsv` | RFC 4180 with a header; `#` comments, blank lines and blanks around cells are passed over |
-//! | `.vtk` | VTK's legacy format to version 5.1, ASCII and binary: unstructured grid, polygonal data, structured grid |
-//! | `.vtu`, `.vtp` | VTK's XML: ASCII, base64 and raw, inline and appended, plain and zlib |
-//! | `.npz` | NumPy: arrays `x`, `y`, `z`, or `pos` of N×D; stored or deflated |
+//! [`FORMATS`] lists what is read. [`Pieces`] reads some of them a few points at a time, for files larger than memory.
 //!
-//! [`Pieces`] reads text tables and archives some points at a time, for files larger than memory.
+//! What is wrong with an array that nobody uses does no harm: text among the numbers, too few of them, a length that is
+//! not that of the points, damage. The array carries its [`Fault`], and asking for it by [`PointTable::quantity`] is the
+//! error. Whether values are finite or positive is asked when they are used, by [`PointTable::require_finite`] and
+//! [`PointTable::require_positive`]. Checksums (`.npz`, zlib) are compared to the last byte.
 //!
-//! What is wrong with an array that nobody uses does no harm: the array carries its [`Fault`], and asking for it by
-//! [`PointTable::quantity`] is the error. Whether values are finite or positive is asked when they are used, by
-//! [`PointTable::require_finite`] and [`PointTable::require_positive`].
+//! NaN and infinity may be spelled as C, C++ and Fortran programs print them (`-nan(ind)`, `1.#INF`). An empty cell of a
+//! text table is no value: NaN, and called empty where a number is wanted. An array without any number (text, empty cells,
+//! NaN) is not among the [default quantities](PointTable::default_quantities); one with some numbers is, and what is wrong
+//! with it is then an error. An array without a name is called `array_` and its position from 0: `array_0`.
 //!
 //! No claim of a file (counts, sizes) is believed before the bytes are there: a damaged file is an error, never a
 //! panic nor an allocation beyond what the file's own bytes can hold.
@@ -41,6 +40,8 @@ mod read;
 mod table;
 
 pub use error::ReadError;
+pub(crate) use error::unknown_ending;
 pub use quantity::Quantity;
-pub use read::{ENDINGS, Pieces, read};
+pub use read::{ENDINGS, FORMATS, Format, Pieces, read};
+pub(crate) use table::fill_empty_names;
 pub use table::{Array, Fault, PointTable};

@@ -72,9 +72,36 @@ impl Stored {
     }
 }
 
-/// The number that `text` spells in full, correctly rounded: decimal with an optional exponent, or `nan`, `inf`.
+/// The number that `text` spells in full, correctly rounded: decimal with an optional exponent, or one of the spellings
+/// of NaN and infinity that C, C++ and Fortran programs print.
 pub(super) fn parse(text: &[u8]) -> Option<f64> {
-    fast_float2::parse(text).ok()
+    fast_float2::parse(text).ok().or_else(|| not_finite(text))
+}
+
+/// NaN and infinity as C libraries print them beyond `nan` and `inf`: `nan(ind)`, `nan(0x7ff)`, and Microsoft's former
+/// `1.#QNAN`, `1.#SNAN`, `1.#IND`, `1.#INF`, with zeros behind, or rounded to `1.#J` and `1.#R`.
+#[cold]
+fn not_finite(text: &[u8]) -> Option<f64> {
+    let (is_negative, word) = match text.split_first()? {
+        (b'-', rest) => (true, rest),
+        (b'+', rest) => (false, rest),
+        _ => (false, text),
+    };
+    let starts = |start: &[u8]| word.get(..start.len()).is_some_and(|word| word.eq_ignore_ascii_case(start));
+    if starts(b"nan(") {
+        let inside = word[4..].strip_suffix(b")")?;
+        return inside.iter().all(|&byte| byte.is_ascii_alphanumeric() || byte == b'_').then_some(f64::NAN);
+    }
+    let mut word = word.strip_prefix(b"1.#")?;
+    while let Some(shorter) = word.strip_suffix(b"0") {
+        word = shorter;
+    }
+    match word {
+        b"INF" if is_negative => Some(f64::NEG_INFINITY),
+        b"INF" => Some(f64::INFINITY),
+        b"QNAN" | b"SNAN" | b"IND" | b"J" | b"R" => Some(f64::NAN),
+        _ => None,
+    }
 }
 
 #[cfg(test)]
@@ -116,7 +143,11 @@ mod tests {
         }
         assert_eq!(parse(b"INF"), Some(f64::INFINITY));
         assert!(parse(b"NaN").is_some_and(f64::is_nan));
-        for text in ["", "1,5", "0x10", "1e", "e5", ".", "+", "1 2", "1_000", "--1", "1f"] {
+        assert!(parse(b"-nan(ind)").is_some_and(f64::is_nan));
+        assert_eq!(parse(b"-1.#INF00"), Some(f64::NEG_INFINITY));
+        for text in
+            ["-", "nan(", "1.#", "1.#X", "", "1,5", "0x10", "1e", "e5", ".", "+", "1 2", "1_000", "--1", "1f"]
+        {
             assert_eq!(parse(text.as_bytes()), None, "{text}");
         }
     }

@@ -1,7 +1,7 @@
 //! Asking a [`PointTable`] for what it holds, by name.
 
 use super::error::{Parsed, Problem, ReadError};
-use super::table::{AXES, Array, DENSITY, MASS, PointTable, is_special};
+use super::table::{AXES, Array, DENSITY, MASS, PointTable, is_axis, is_special};
 use std::borrow::Cow;
 
 /// Numbers at the points of a table: a scalar, a vector, or one component of it.
@@ -32,8 +32,8 @@ impl PointTable {
         exact.or_else(|| self.arrays.iter().find(|a| is_special(name) && a.name.eq_ignore_ascii_case(name)))
     }
 
-    /// What is evaluated when nothing is asked for: every array of numbers that is no coordinate, mass or density,
-    /// in the file's order. Columns of a text table stand one by one.
+    /// What is evaluated when nothing is asked for: every array with [any number](Array::is_numeric) in it that is no
+    /// coordinate, mass or density, in the file's order. Columns of a text table stand one by one.
     pub fn default_quantities(&self) -> Vec<String> {
         let wanted = self.arrays.iter().filter(|array| array.is_numeric() && !is_special(&array.name));
         wanted.map(|array| array.name.clone()).collect()
@@ -103,7 +103,7 @@ impl PointTable {
     }
 
     fn resolve(&self, name: &str) -> Parsed<Quantity<'_>> {
-        if AXES.iter().any(|axis| name.eq_ignore_ascii_case(axis)) {
+        if is_axis(name) {
             return Err(self.of_names(format!("`{name}` is a coordinate, not a quantity")));
         }
         if let Some(array) = self.array(name).or_else(|| self.array(other_name(name)?)) {
@@ -192,8 +192,12 @@ impl PointTable {
     ) -> Result<(), ReadError> {
         let Some(index) = quantity.values.iter().position(|&value| !holds(value)) else { return Ok(()) };
         let (row, component) = (index / quantity.components(), index % quantity.components());
-        let problem = format!("{} where {expected} is expected", quantity.values[index]);
-        let at = self.place(row, &quantity.columns[component]);
+        let column = &quantity.columns[component];
+        let is_empty = self.array(column).is_some_and(|array| array.first_empty == Some(row));
+        let found =
+            if is_empty { "the cell is empty".to_owned() } else { quantity.values[index].to_string() };
+        let problem = format!("{found} where {expected} is expected");
+        let at = self.place(row, column);
         Err(Problem::at(at, problem).in_file(&self.source))
     }
 

@@ -1,6 +1,6 @@
 //! The table that every reader fills.
 
-use super::error::{Parsed, Problem, ReadError};
+use super::error::{Parsed, Problem, ReadError, counted};
 use std::collections::HashMap;
 
 /// The names of the coordinates, axis by axis.
@@ -11,6 +11,11 @@ pub(super) const MASS: [&str; 2] = ["m", "mass"];
 
 /// The two names of the density.
 pub(super) const DENSITY: [&str; 2] = ["rho", "density"];
+
+/// Whether `name` is that of a coordinate, in any case of letters.
+pub(super) fn is_axis(name: &str) -> bool {
+    AXES.iter().any(|axis| name.eq_ignore_ascii_case(axis))
+}
 
 /// Whether `name` is that of a coordinate, the mass or the density, in any case of letters.
 pub(super) fn is_special(name: &str) -> bool {
@@ -24,7 +29,7 @@ pub struct PointTable {
     pub source: String,
     /// The coordinates: one vector an axis, all of the same length, not yet checked to be finite.
     pub coordinates: Vec<Vec<f64>>,
-    /// Everything else that the file says of its points, in the file's order.
+    /// All other arrays of the points, in the file's order.
     pub arrays: Vec<Array>,
     pub(super) rows: Rows,
 }
@@ -36,22 +41,43 @@ pub struct Array {
     pub name: String,
     /// How many numbers a point has.
     pub components: usize,
-    /// The numbers, point by point. Where there is a fault, not to be used.
+    /// The numbers, point by point; NaN for an empty cell of a text table. Where there is a fault, not to be used.
     pub values: Vec<f64>,
     /// Why the array cannot be used, if it cannot.
     pub fault: Option<Fault>,
+    /// Whether there is any number, be they all usable or not.
+    pub(super) has_numbers: bool,
+    /// The first point whose cell in a text table is empty.
+    pub(super) first_empty: Option<usize>,
 }
 
-/// Why an array cannot be used: the first thing in it that is not a number, or its wrong shape.
+/// Why an array cannot be used: the first thing in it that is not a number, its wrong shape, or damage.
 #[derive(Debug, Clone)]
 pub struct Fault {
     /// Where in the file.
     pub at: String,
     /// What is there.
     pub problem: String,
-    /// Whether the array has numbers too, so that it stands among the default quantities and is an error there.
-    /// An array of nothing but text does not.
+}
+
+/// Why an array has no usable numbers, before its name is known.
+#[derive(Debug, Clone)]
+pub(super) struct Unusable {
+    pub problem: String,
+    /// Whether the array has numbers all the same, so that it stands among the default quantities and is an error there.
     pub has_numbers: bool,
+}
+
+impl Unusable {
+    /// An array of numbers that cannot be used.
+    pub(super) fn numbers(problem: impl Into<String>) -> Self {
+        Self { problem: problem.into(), has_numbers: true }
+    }
+
+    /// An array that is none of numbers, or none of the points.
+    pub(super) fn other(problem: impl Into<String>) -> Self {
+        Self { problem: problem.into(), has_numbers: false }
+    }
 }
 
 /// How a row is named in messages.
@@ -88,19 +114,33 @@ impl Rows {
 impl Array {
     /// An array without fault.
     pub fn new(name: impl Into<String>, components: usize, values: Vec<f64>) -> Self {
-        Self { name: name.into(), components, values, fault: None }
+        let has_numbers = values.is_empty() || values.iter().any(|value| !value.is_nan());
+        Self { name: name.into(), components, values, fault: None, has_numbers, first_empty: None }
     }
 
     /// An array that has no usable numbers, and why.
-    pub(super) fn unusable(name: impl Into<String>, problem: impl Into<String>, has_numbers: bool) -> Self {
+    pub(super) fn unusable(name: impl Into<String>, Unusable { problem, has_numbers }: Unusable) -> Self {
         let name = name.into();
-        let fault = Fault { at: format!("array `{name}`"), problem: problem.into(), has_numbers };
-        Self { name, components: 1, values: Vec::new(), fault: Some(fault) }
+        let at = format!("array `{name}`");
+        Self::faulty(name, Fault { at, problem }, has_numbers)
     }
 
-    /// Whether the array has numbers, be they all usable or not.
+    /// An array with a fault, and whether it has numbers all the same.
+    pub(super) fn faulty(name: impl Into<String>, fault: Fault, has_numbers: bool) -> Self {
+        let (name, values, fault) = (name.into(), Vec::new(), Some(fault));
+        Self { name, components: 1, values, fault, has_numbers, first_empty: None }
+    }
+
+    /// Appends numbers of further points.
+    pub(super) fn extend(&mut self, values: Vec<f64>) {
+        self.has_numbers |= values.iter().any(|value| !value.is_nan());
+        self.values.extend(values);
+    }
+
+    /// Whether the array has any number, be they all usable or not. One that has none (text, empty cells, NaN) is not
+    /// among the default quantities.
     pub fn is_numeric(&self) -> bool {
-        self.fault.as_ref().is_none_or(|fault| fault.has_numbers)
+        self.has_numbers
     }
 
     /// The numbers, or the fault as a problem.
@@ -138,13 +178,14 @@ impl PointTable {
         let points = table.len();
         if let Some(axis) = table.coordinates.iter().position(|axis| axis.len() != points) {
             let (name, length) = (AXES[axis], table.coordinates[axis].len());
-            return Err(Problem::new(format!("`x` has {points} values, but `{name}` has {length}")));
+            let points = counted(points, "value");
+            return Err(Problem::new(format!("`x` has {points}, but `{name}` has {length}")));
         }
         check_names(table.arrays.iter().map(|array| array.name.as_str())).map_err(Problem::new)?;
         for array in table.arrays.iter().filter(|array| array.fault.is_none()) {
             if array.components == 0 || points.checked_mul(array.components) != Some(array.values.len()) {
                 let (have, components) = (array.values.len(), array.components);
-                let problem = format!("{have} values for {points} points of {components} each");
+                let problem = format!("{} for {points} points of {components} each", counted(have, "value"));
                 return Err(Problem::at(format!("array `{}`", array.name), problem));
             }
         }
@@ -224,4 +265,18 @@ pub(super) fn check_names<'a>(names: impl Iterator<Item = &'a str>) -> Result<()
         }
     }
     Ok(())
+}
+
+/// Gives each empty name of a file's arrays one: `array_` and its position from 0, with underscores behind it where that
+/// name is taken.
+pub(crate) fn fill_empty_names(mut names: Vec<&mut String>) {
+    for index in 0..names.len() {
+        if names[index].is_empty() {
+            let mut name = format!("array_{index}");
+            while names.iter().any(|other| **other == name) {
+                name.push('_');
+            }
+            *names[index] = name;
+        }
+    }
 }

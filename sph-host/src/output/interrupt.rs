@@ -26,7 +26,7 @@ pub fn cleanup_on_interrupt() -> Result<(), ctrlc::Error> {
         // Held until the process has ended, so that no file is begun or renamed meanwhile.
         let paths = unfinished();
         for path in paths.iter() {
-            // There is no one left to tell of a failure.
+            // The process ends: a failure cannot be reported any more.
             let _ = std::fs::remove_file(path);
         }
         std::process::exit(130);

@@ -1,12 +1,12 @@
 //! Results as files: CSV, NumPy archives, VTK files for ParaView, pictures.
 //!
 //! A [`Table`] is what is written: coordinates, named columns and, where the points are the cell centres of a regular box,
-//! the [`Grid`] they come from. A [`Target`] is where it goes; the ending of its path chooses the [`Format`].
+//! the [`Grid`] they come from. A [`Target`] is where it goes; the ending of its path chooses one of the [`FORMATS`].
 //!
-//! * **Nothing is half-written.** A file grows in a temporary file beside its target and is then renamed; after
+//! * **No half-written files.** A file is written to a temporary file beside its target and is then renamed; after
 //!   [`cleanup_on_interrupt`] that holds for Ctrl-C too.
-//! * **Nothing is lost.** Numbers in text are the shortest that read back to the same bits; binary formats hold the bits.
-//! * **Nothing is left to chance.** Equal tables give equal bytes: no time stamps, no random names.
+//! * **No loss.** Numbers in text are the shortest that read back to the same bits; binary formats hold the bits.
+//! * **Deterministic.** Equal tables give equal bytes: no time stamps, no random names.
 //!
 //! ```no_run
 //! use sph_host::output::{Column, Precision, Table, Target, write};
@@ -25,6 +25,7 @@
 //! ```
 
 mod csv;
+mod format;
 mod interrupt;
 mod npz;
 mod number;
@@ -35,11 +36,16 @@ mod vtk_legacy;
 mod vtk_xml;
 
 pub use csv::write_csv;
+pub use format::{ENDINGS, FORMATS, Format};
 pub use interrupt::cleanup_on_interrupt;
 pub use number::shortest;
 pub use png::MOST_IN_PICTURE;
 pub use table::{Column, Grid, GridError, Precision, Table, TableError};
-pub use target::{Format, Target, WriteError};
+pub use target::{Target, WriteError};
+
+use std::borrow::Cow;
+
+use crate::io::fill_empty_names;
 
 /// Writes a table to a file in the format that the ending of its path names.
 ///
@@ -50,16 +56,15 @@ pub use target::{Format, Target, WriteError};
 pub fn write(table: &Table, target: &Target) -> Result<(), WriteError> {
     let format = target.check(table.grid.is_some())?;
     table.check()?;
-    let picture = match format {
-        Format::Png => Some(png::draw(table)?),
-        _ => None,
-    };
-    target.create(|file| match (format, &table.grid, &picture) {
-        (Format::Csv, ..) => csv::write_rows(table, file),
-        (Format::Npz, ..) => npz::write(table, file),
-        (Format::Vtk, ..) => vtk_legacy::write(table, file),
-        (Format::Vti, Some(grid), _) => vtk_xml::write_image(table, grid, file),
-        (Format::Vti | Format::Vtu, ..) => vtk_xml::write_unstructured(table, file),
-        (Format::Png, ..) => picture.as_ref().map_or(Ok(()), |image| image.write_png(file)),
-    })
+    target.create_as(|output| (format.write)(&with_names(table), output))
+}
+
+/// The table itself, or one with made-up names where columns have none, as [`io`](crate::io) would give them.
+fn with_names(table: &Table) -> Cow<'_, Table> {
+    if table.all_columns().all(|column| !column.name.is_empty()) {
+        return Cow::Borrowed(table);
+    }
+    let mut table = table.clone();
+    fill_empty_names(table.columns.iter_mut().map(|column| &mut column.name).collect());
+    Cow::Owned(table)
 }

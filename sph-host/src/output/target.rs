@@ -6,66 +6,33 @@ use std::path::{Path, PathBuf};
 
 use thiserror::Error;
 
+use super::format::{FORMATS, Format, Output, Unwritten};
 use super::interrupt::Unfinished;
 use super::table::TableError;
+use crate::io::unknown_ending;
 use crate::picture::PictureError;
-
-/// A file format, chosen by the ending of the path in any case.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Format {
-    /// `.csv`: RFC 4180 with a header.
-    Csv,
-    /// `.npz`: one NumPy array a column.
-    Npz,
-    /// `.vtk`: legacy binary; a grid is `STRUCTURED_POINTS`, points are vertices.
-    Vtk,
-    /// `.vtu`: vertices, or a grid's cell centres joined by lines, quadrilaterals or hexahedra.
-    Vtu,
-    /// `.vti`: image data; needs a grid.
-    Vti,
-    /// `.png`: a picture; needs a grid.
-    Png,
-}
-
-impl Format {
-    const ALL: [(&'static str, Self); 6] = [
-        ("csv", Self::Csv),
-        ("npz", Self::Npz),
-        ("vtk", Self::Vtk),
-        ("vtu", Self::Vtu),
-        ("vti", Self::Vti),
-        ("png", Self::Png),
-    ];
-
-    /// The format that a path's ending names, if it is known.
-    #[must_use]
-    pub fn of(path: &Path) -> Option<Self> {
-        let ending = path.extension()?.to_str()?;
-        Self::ALL.iter().find(|(name, _)| name.eq_ignore_ascii_case(ending)).map(|&(_, format)| format)
-    }
-
-    /// Whether only a grid can be written in this format.
-    #[must_use]
-    pub fn needs_grid(self) -> bool {
-        matches!(self, Self::Vti | Self::Png)
-    }
-}
 
 /// Why a result was not written. The target is as it was before.
 #[derive(Debug, Error)]
 pub enum WriteError {
     /// The ending of the path names no format.
-    #[error("{}: unknown ending, expected .csv, .npz, .vtk, .vtu, .vti or .png", .0.display())]
+    #[error("{}: {}: one of {} is expected", .0.display(), unknown_ending(.0), endings(|_| true))]
     UnknownEnding(PathBuf),
     /// A picture or image data of points that are no grid.
-    #[error("{}: {} needs --grid; points can be written as .csv, .npz, .vtk or .vtu", .0.display(), what_needs_grid(.0))]
+    #[error(
+        "{}: {} is written, but the points are no grid; points can be written as one of {}", .0.display(), about(.0),
+        endings(|format| !format.needs_grid)
+    )]
     NeedsGrid(PathBuf),
     /// The target exists and may not be replaced.
-    #[error("{}: already exists; use --force to replace it", .0.display())]
+    #[error("{}: the file exists already and is kept", .0.display())]
     Exists(PathBuf),
     /// The target is a directory.
     #[error("{}: is a directory, expected a file", .0.display())]
     IsDirectory(PathBuf),
+    /// The name belongs to a pipe or a device, which must not be replaced by a file.
+    #[error("{}: this is a pipe or a device, expected a file or a name that is free", .0.display())]
+    NotAFile(PathBuf),
     /// No file can be made in the target's directory.
     #[error("{}: cannot write in directory {}: {source}", path.display(), directory.display())]
     Directory {
@@ -92,8 +59,14 @@ pub enum WriteError {
     Picture(#[from] PictureError),
 }
 
-fn what_needs_grid(path: &Path) -> &'static str {
-    if Format::of(path) == Some(Format::Png) { "a picture" } else { "image data" }
+fn about(path: &Path) -> &'static str {
+    Format::of(path).map_or("a grid", |format| format.about)
+}
+
+/// The endings of some formats, with commas between.
+fn endings(wanted: impl Fn(&Format) -> bool) -> String {
+    let formats = FORMATS.iter().filter(|format| wanted(format));
+    formats.map(|format| format.ending).collect::<Vec<_>>().join(", ")
 }
 
 impl WriteError {
@@ -125,9 +98,9 @@ impl Target {
     ///
     /// [`WriteError::UnknownEnding`] and [`WriteError::NeedsGrid`] first, for they are seen without looking at any file;
     /// then what [`Target::check_place`] reports.
-    pub fn check(&self, grid: bool) -> Result<Format, WriteError> {
+    pub fn check(&self, grid: bool) -> Result<&'static Format, WriteError> {
         let format = Format::of(&self.path).ok_or_else(|| WriteError::UnknownEnding(self.path.clone()))?;
-        if format.needs_grid() && !grid {
+        if format.needs_grid && !grid {
             return Err(WriteError::NeedsGrid(self.path.clone()));
         }
         self.check_place()?;
@@ -138,11 +111,12 @@ impl Target {
     ///
     /// # Errors
     ///
-    /// [`WriteError::IsDirectory`], [`WriteError::Exists`], [`WriteError::Directory`].
+    /// [`WriteError::IsDirectory`], [`WriteError::NotAFile`], [`WriteError::Exists`], [`WriteError::Directory`].
     pub fn check_place(&self) -> Result<(), WriteError> {
         if self.path.is_dir() {
             return Err(WriteError::IsDirectory(self.path.clone()));
         }
+        self.refuse_device()?;
         if !self.force && self.path.symlink_metadata().is_ok() {
             return Err(WriteError::Exists(self.path.clone()));
         }
@@ -158,16 +132,37 @@ impl Target {
         &self,
         fill: impl FnOnce(&mut BufWriter<&mut File>) -> io::Result<()>,
     ) -> Result<(), WriteError> {
+        self.create_as(|output| Ok(fill(output)?))
+    }
+
+    /// [`create`](Self::create) where not only writing can fail.
+    pub(super) fn create_as(
+        &self,
+        fill: impl FnOnce(&mut Output<'_>) -> Result<(), Unwritten>,
+    ) -> Result<(), WriteError> {
+        self.refuse_device()?;
         let failed = |source| WriteError::Io { path: self.path.clone(), source };
         let mut unfinished = self.begin()?;
         let file = unfinished.file().map_err(failed)?;
         let mut writer = BufWriter::with_capacity(1 << 20, file);
-        fill(&mut writer).and_then(|()| writer.flush()).map_err(failed)?;
+        fill(&mut writer).and_then(|()| Ok(writer.flush()?)).map_err(|unwritten| match unwritten {
+            Unwritten::Io(source) => failed(source),
+            Unwritten::Picture(error) => WriteError::Picture(error),
+            Unwritten::NoGrid => WriteError::NeedsGrid(self.path.clone()),
+        })?;
         drop(writer);
         unfinished.finish(&self.real_path(), self.force).map_err(|source| match source.kind() {
             io::ErrorKind::AlreadyExists => WriteError::Exists(self.path.clone()),
             _ => failed(source),
         })
+    }
+
+    /// Renaming a file to the name of a pipe or a device would take it away.
+    fn refuse_device(&self) -> Result<(), WriteError> {
+        match self.path.metadata() {
+            Ok(found) if !found.is_file() && !found.is_dir() => Err(WriteError::NotAFile(self.path.clone())),
+            _ => Ok(()),
+        }
     }
 
     /// A temporary file beside the target.

@@ -63,7 +63,7 @@ fn begin(writer: &mut impl Write, kind: &str, caption: &str) -> io::Result<()> {
 fn write_point_data(table: &Table, writer: &mut impl Write) -> io::Result<()> {
     writeln!(writer, "<PointData>")?;
     for Column { name, values } in &table.columns {
-        let name = escape(name.as_str());
+        let name = attribute(name);
         match table.precision {
             Precision::F64 => {
                 let bytes = values.iter().copied().flat_map(f64::to_le_bytes);
@@ -76,6 +76,11 @@ fn write_point_data(table: &Table, writer: &mut impl Write) -> io::Result<()> {
         }
     }
     writeln!(writer, "</PointData>")
+}
+
+/// A name as the value of an attribute, where a reader takes a bare line end or tab for a blank.
+fn attribute(name: &str) -> String {
+    escape(name).replace('\t', "&#9;").replace('\n', "&#10;").replace('\r', "&#13;")
 }
 
 fn write_array(writer: &mut impl Write, attributes: &str, bytes: impl Iterator<Item = u8>) -> io::Result<()> {

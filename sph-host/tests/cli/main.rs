@@ -5,6 +5,7 @@ mod columns;
 mod csv_files;
 mod data_errors;
 mod fast;
+mod file_faults;
 mod files;
 mod grids;
 mod kernels;

@@ -74,10 +74,15 @@ impl Packing {
             data = rest;
             let size = if index + 1 == blocks { last } else { block };
             let end = out.len() + size;
-            let inflated = ZlibDecoder::new(bytes).take(size as u64).read_to_end(&mut out);
-            inflated.map_err(|error| format!("block {index} of {blocks}: {error}"))?;
+            // The checksum is compared where the decoder meets the end, so one byte more than there should be is asked for.
+            let inflated = ZlibDecoder::new(bytes).take(size as u64 + 1).read_to_end(&mut out);
+            inflated
+                .map_err(|error| format!("block {index} of {blocks} is damaged or cut short: {error}"))?;
             if out.len() != end {
-                return Err(format!("block {index} of {blocks} ends {} bytes too early", end - out.len()));
+                let found = out.len() + size - end;
+                return Err(format!(
+                    "block {index} of {blocks} holds {found} bytes or more, where {size} are expected"
+                ));
             }
         }
         Ok(out)

@@ -1,39 +1,50 @@
 //! Text tables: `.csv` and `.tsv`.
 //!
-//! One pass, column by column, whole or some rows at a time; the float parser rounds correctly, so what was printed in full is read to the bit.
+//! One pass, column by column, whole or some rows at a time; the float parser rounds correctly, so what was printed in
+//! full is read to the bit. An empty cell is no value: NaN, named where a number is wanted.
 
+use super::open;
+use super::pieces::Source;
 use super::records::Records;
-use crate::io::error::{Parsed, Problem, shown};
+use crate::io::error::{Parsed, Problem, counted, shown};
 use crate::io::numbers;
-use crate::io::table::{Array, Fault, PointTable, Rows, check_names, take_coordinates};
-use std::io::BufRead;
+use crate::io::table::{Array, Fault, PointTable, Rows, check_names, is_axis, take_coordinates};
+use std::fs::File;
+use std::io::{BufRead, BufReader};
+use std::path::Path;
 
 /// A column while it is read.
 struct Column {
     name: String,
     /// One number a row; NaN where there is none.
     values: Vec<f64>,
-    has_numbers: bool,
     /// The first cell that is no number, with its line.
     fault: Option<(usize, String)>,
+    /// The first empty cell's row and line.
+    empty: Option<(usize, usize)>,
 }
 
-/// A text table on its way in.
-pub(super) struct Text<R> {
+/// A text table that is being read.
+struct Text<R> {
     records: Records<R>,
     /// The line of the header.
     header: usize,
     names: Vec<String>,
 }
 
-/// Reads a table of cells with `delimiter` between them.
-pub(super) fn read(input: impl BufRead, delimiter: u8) -> Parsed<PointTable> {
-    Text::open(input, delimiter)?.piece(usize::MAX)
+/// Reads a table of cells with `DELIMITER` between them.
+pub(super) fn read<const DELIMITER: u8>(path: &Path) -> Parsed<PointTable> {
+    Text::open(open(path, b"")?, DELIMITER)?.piece(usize::MAX)
+}
+
+/// Opens such a table to be read some rows at a time.
+pub(super) fn pieces<const DELIMITER: u8>(path: &Path) -> Parsed<Box<dyn Source>> {
+    Ok(Box::new(Text::<BufReader<File>>::open(open(path, b"")?, DELIMITER)?))
 }
 
 impl<R: BufRead> Text<R> {
     /// Reads the header.
-    pub(super) fn open(input: R, delimiter: u8) -> Parsed<Self> {
+    fn open(input: R, delimiter: u8) -> Parsed<Self> {
         let mut records = Records::new(input, delimiter);
         let Some(header) = records.advance()? else {
             return Err(Problem::new("there is no header, nothing but blank lines and comments"));
@@ -41,9 +52,10 @@ impl<R: BufRead> Text<R> {
         let names = names(header, &records)?;
         Ok(Self { records, header, names })
     }
+}
 
-    /// The next rows, at most so many.
-    pub(super) fn piece(&mut self, most: usize) -> Parsed<PointTable> {
+impl<R: BufRead> Source for Text<R> {
+    fn piece(&mut self, most: usize) -> Parsed<PointTable> {
         let header = self.header;
         let mut columns: Vec<Column> = self.names.iter().map(|name| Column::new(name)).collect();
         let mut rows = Rows::Lines(header, Vec::new());
@@ -52,13 +64,13 @@ impl<R: BufRead> Text<R> {
             && let Some(line) = self.records.advance()?
         {
             if self.records.len() != columns.len() {
-                let (have, want) = (self.records.len(), columns.len());
-                let problem = format!("the row has {have} cells where the header has {want}");
+                let (have, want) = (counted(self.records.len(), "cell"), columns.len());
+                let problem = format!("the row has {have} where the header has {want}");
                 return Err(Problem::at(format!("line {line}"), problem));
             }
             rows.push(row, line);
             for (column, cell) in columns.iter_mut().zip(self.records.cells()) {
-                column.push(line, cell);
+                column.push(row, line, cell);
             }
             row += 1;
         }
@@ -85,7 +97,7 @@ fn names<R: BufRead>(header: usize, records: &Records<R>) -> Parsed<Vec<String>>
         if name.is_empty() {
             return Err(Problem::at(place(), "the name is missing"));
         }
-        if numbers::parse(cell).is_some_and(f64::is_finite) {
+        if !records.is_quoted(index) && numbers::parse(cell).is_some_and(f64::is_finite) {
             let problem = format!("{} is a number, where the header's name is expected", shown(cell));
             return Err(Problem::at(place(), problem));
         }
@@ -98,40 +110,45 @@ fn names<R: BufRead>(header: usize, records: &Records<R>) -> Parsed<Vec<String>>
 
 impl Column {
     fn new(name: &str) -> Self {
-        Self { name: name.to_owned(), values: Vec::new(), has_numbers: false, fault: None }
+        Self { name: name.to_owned(), values: Vec::new(), fault: None, empty: None }
     }
 
     #[inline]
-    fn push(&mut self, line: usize, cell: &[u8]) {
-        match numbers::parse(cell) {
-            Some(value) => {
-                self.has_numbers = true;
-                self.values.push(value);
-            }
-            None => self.push_fault(line, cell),
-        }
+    fn push(&mut self, row: usize, line: usize, cell: &[u8]) {
+        let value = match numbers::parse(cell) {
+            Some(value) => value,
+            None => self.odd(row, line, cell),
+        };
+        self.values.push(value);
     }
 
+    /// The value for a cell that is not a plain number.
     #[cold]
-    fn push_fault(&mut self, line: usize, cell: &[u8]) {
-        if self.fault.is_none() {
+    fn odd(&mut self, row: usize, line: usize, cell: &[u8]) -> f64 {
+        let trimmed = cell.trim_ascii();
+        if trimmed.is_empty() {
+            self.empty = self.empty.or(Some((row, line)));
+        } else if let Some(value) = numbers::parse(trimmed) {
+            return value;
+        } else if self.fault.is_none() {
             self.fault = Some((line, shown(cell)));
         }
-        self.values.push(f64::NAN);
+        f64::NAN
     }
 
     fn finish(self) -> Array {
-        let has_numbers = self.has_numbers;
-        let fault = self.fault.map(|(line, text)| Fault {
-            at: format!("line {line}, column `{}`", self.name),
-            problem: if text == "``" {
-                "the cell is empty where a number is expected".to_owned()
-            } else {
-                format!("{text} where a number is expected")
-            },
-            has_numbers,
-        });
-        let values = if fault.is_some() { Vec::new() } else { self.values };
-        Array { name: self.name, components: 1, values, fault }
+        let fault = match (self.fault, self.empty) {
+            (Some((line, text)), _) => Some((line, format!("{text} where a number is expected"))),
+            (None, Some((_, line))) if is_axis(&self.name) => {
+                Some((line, "the cell is empty where a number is expected".to_owned()))
+            }
+            _ => None,
+        };
+        if let Some((line, problem)) = fault {
+            let at = format!("line {line}, column `{}`", self.name);
+            let has_numbers = self.values.iter().any(|value| !value.is_nan());
+            return Array::faulty(self.name, Fault { at, problem }, has_numbers);
+        }
+        Array { first_empty: self.empty.map(|(row, _)| row), ..Array::new(self.name, 1, self.values) }
     }
 }

@@ -1,18 +1,52 @@
-//! A place in a legacy VTK file: lines of keywords with numbers between them, as text or as bytes.
+//! A place in a legacy VTK file: words with blanks or line ends between.
 
-use super::parse_text;
-use crate::io::error::{Parsed, Problem};
-use crate::io::numbers::{Endian, Stored};
+use crate::io::error::{Parsed, Problem, shown};
+use crate::io::numbers::Stored;
 
 /// Where reading stands.
 pub(super) struct Cursor<'a> {
-    bytes: &'a [u8],
-    at: usize,
+    pub(super) bytes: &'a [u8],
+    pub(super) at: usize,
     /// Whether numbers are text.
     pub ascii: bool,
     /// How many numbers a tuple of the array has that was read last.
     pub components: usize,
 }
+
+/// The words that start a block.
+const KEYWORDS: [&str; 27] = [
+    "DATASET",
+    "DIMENSIONS",
+    "ORIGIN",
+    "SPACING",
+    "ASPECT_RATIO",
+    "POINTS",
+    "CELLS",
+    "VERTICES",
+    "LINES",
+    "POLYGONS",
+    "TRIANGLE_STRIPS",
+    "CELL_TYPES",
+    "POINT_DATA",
+    "CELL_DATA",
+    "FIELD",
+    "LOOKUP_TABLE",
+    "SCALARS",
+    "COLOR_SCALARS",
+    "TEXTURE_COORDINATES",
+    "VECTORS",
+    "NORMALS",
+    "TENSORS",
+    "TENSORS6",
+    "GLOBAL_IDS",
+    "PEDIGREE_IDS",
+    "EDGE_FLAGS",
+    "METADATA",
+];
+
+/// Where a word stands, in bytes from the file's start.
+#[derive(Clone, Copy)]
+pub(super) struct Place(usize);
 
 /// A type of numbers by VTK's legacy name, or text.
 pub(super) enum Kind {
@@ -46,13 +80,24 @@ impl<'a> Cursor<'a> {
         Self { bytes, at: 0, ascii: true, components: 0 }
     }
 
-    fn rest(&self) -> &'a [u8] {
+    pub(super) fn rest(&self) -> &'a [u8] {
         self.bytes.get(self.at..).unwrap_or_default()
     }
 
-    /// Where the file stands, for messages.
-    pub(super) fn place(&self) -> String {
-        format!("byte {}", self.at)
+    /// Where the next word stands, for messages.
+    pub(super) fn place(&self) -> Place {
+        Place(self.at + self.rest().len() - self.rest().trim_ascii_start().len())
+    }
+
+    /// A problem of the word at `place`: its line where numbers are text, else its byte.
+    pub(super) fn problem(&self, Place(at): Place, problem: impl Into<String>) -> Problem {
+        let before = &self.bytes[..at.min(self.bytes.len())];
+        let place = if self.ascii {
+            format!("line {}", memchr::memchr_iter(b'\n', before).count() + 1)
+        } else {
+            format!("byte {at}")
+        };
+        Problem::at(place, problem)
     }
 
     /// The rest of the line, without blanks around it; `None` at the end of the file.
@@ -66,21 +111,86 @@ impl<'a> Cursor<'a> {
         Some(rest[..end.unwrap_or(rest.len())].trim_ascii())
     }
 
-    /// The words of the next line that is not blank. Blocks of metadata, which end with a blank line, are passed over.
-    pub(super) fn words(&mut self) -> Parsed<Option<Vec<&'a str>>> {
+    /// The next word; `None` at the end of the file.
+    pub(super) fn word(&mut self) -> Option<&'a [u8]> {
+        let Place(start) = self.place();
+        let rest = self.bytes.get(start..).filter(|rest| !rest.is_empty())?;
+        let length = rest.iter().position(u8::is_ascii_whitespace).unwrap_or(rest.len());
+        self.at = start + length;
+        Some(&rest[..length])
+    }
+
+    /// The next word behind blocks of metadata, which end with a blank line.
+    pub(super) fn word_behind_metadata(&mut self) -> Option<&'a [u8]> {
         loop {
-            self.at += self.rest().len() - self.rest().trim_ascii_start().len();
-            let place = self.place();
-            let Some(line) = self.line() else { return Ok(None) };
-            if line.eq_ignore_ascii_case(b"METADATA") {
-                self.skip_metadata();
-                continue;
+            let Place(start) = self.place();
+            self.at = start;
+            if !self.line()?.eq_ignore_ascii_case(b"METADATA") {
+                self.at = start;
+                return self.word();
             }
-            // A line of keywords is short: this is data where none is expected.
-            let text = (line.len() < 4096).then(|| std::str::from_utf8(line).ok()).flatten();
-            let text = text.ok_or_else(|| Problem::at(place, "a line of keywords is expected"))?;
-            return Ok(Some(text.split_ascii_whitespace().collect()));
+            self.skip_metadata();
         }
+    }
+
+    /// The next word as text, for a name or a type; `what` says what it is.
+    pub(super) fn text(&mut self, what: &str) -> Parsed<&'a str> {
+        let place = self.place();
+        let word =
+            self.word().ok_or_else(|| self.problem(place, format!("cut short where {what} is expected")))?;
+        std::str::from_utf8(word)
+            .map_err(|_| self.problem(place, format!("{} where {what} is expected", shown(word))))
+    }
+
+    /// The next word as a number of type `N`; `what` says of what.
+    pub(super) fn number<N: std::str::FromStr>(&mut self, what: &str) -> Parsed<N> {
+        let place = self.place();
+        let word = self.text(what)?;
+        word.parse()
+            .map_err(|_| self.problem(place, format!("{} where {what} is expected", shown(word.as_bytes()))))
+    }
+
+    /// The next word as a type of numbers.
+    pub(super) fn kind(&mut self, of: &str) -> Parsed<Kind> {
+        let place = self.place();
+        let word = self.text("a type of numbers")?;
+        Kind::named(word).ok_or_else(|| {
+            self.problem(
+                place,
+                format!("{of}: {} where a type of numbers is expected", shown(word.as_bytes())),
+            )
+        })
+    }
+
+    /// Passes over the next word if it is `keyword`.
+    pub(super) fn skip_keyword(&mut self, keyword: &str) -> bool {
+        let before = self.at;
+        let is_there = self.word().is_some_and(|word| word.eq_ignore_ascii_case(keyword.as_bytes()));
+        if !is_there {
+            self.at = before;
+        }
+        is_there
+    }
+
+    /// The number of components of `SCALARS` and the name of its look-up table, both of which may be missing. A number
+    /// counts components where it stands on the same line, or before the table.
+    pub(super) fn scalars(&mut self) -> Parsed<usize> {
+        const TABLE: &str = "LOOKUP_TABLE";
+        let before = self.at;
+        let mut components = 1;
+        let count = self.word().and_then(|word| std::str::from_utf8(word).ok()?.parse().ok());
+        let is_same_line = !self.bytes[before..self.at].contains(&b'\n');
+        let behind = self.at;
+        match count {
+            Some(count) if is_same_line || self.skip_keyword(TABLE) => {
+                (components, self.at) = (count, behind)
+            }
+            _ => self.at = before,
+        }
+        if self.skip_keyword(TABLE) {
+            self.text("the name of a look-up table")?;
+        }
+        Ok(components)
     }
 
     /// Passes over metadata to the blank line behind them. The components' names have a line each, blank or not.
@@ -95,69 +205,11 @@ impl<'a> Cursor<'a> {
             }
         }
     }
+}
 
-    /// Passes over the next line if it starts with `keyword`.
-    pub(super) fn skip_line(&mut self, keyword: &[u8]) {
-        let blank = self.rest().len() - self.rest().trim_ascii_start().len();
-        let line = &self.rest()[blank..];
-        if line.get(..keyword.len()).is_some_and(|start| start.eq_ignore_ascii_case(keyword)) {
-            self.at += blank;
-            self.line();
-        }
-    }
-
-    /// `count` numbers, of which nothing is believed before they are there; `what` names them in messages.
-    pub(super) fn numbers(&mut self, what: &str, stored: Stored, count: usize) -> Parsed<Vec<f64>> {
-        let left = self.rest();
-        // As text a number takes a digit and a blank.
-        let need = if self.ascii {
-            count.checked_mul(2).map(|bytes| bytes.saturating_sub(1))
-        } else {
-            stored.bytes(count)
-        };
-        let Some(need) = need.filter(|&need| need <= left.len()) else {
-            let problem = format!("{count} numbers are claimed, but only {} bytes follow", left.len());
-            return Err(Problem::at(what, problem));
-        };
-        let mut values = Vec::with_capacity(count);
-        if !self.ascii {
-            stored.decode(&left[..need], Endian::Big, count, &mut values);
-            self.at += need;
-            return Ok(values);
-        }
-        let mut end = 0;
-        let mut words = std::iter::from_fn(|| {
-            let start = end + left[end..].iter().position(|byte| !byte.is_ascii_whitespace())?;
-            let length = left[start..].iter().position(u8::is_ascii_whitespace);
-            end = length.map_or(left.len(), |length| start + length);
-            Some(&left[start..end])
-        });
-        parse_text(what, &mut words, count, &mut values)?;
-        self.at += end;
-        Ok(values)
-    }
-
-    /// Passes over `count` texts: a line each, or bytes behind their length.
-    pub(super) fn skip_texts(&mut self, what: &str, count: usize) -> Parsed<()> {
-        for index in 0..count {
-            let there = if self.ascii { self.line().is_some() } else { self.skip_text().is_some() };
-            if !there {
-                return Err(Problem::at(what, format!("ends after {index} of {count} texts")));
-            }
-        }
-        Ok(())
-    }
-
-    /// Passes over a text whose length stands before it in 1, 2, 4 or 8 bytes, told apart by the two highest bits.
-    fn skip_text(&mut self) -> Option<()> {
-        let (&first, _) = self.rest().split_first()?;
-        let size = [8, 4, 2, 1][usize::from(first >> 6)];
-        let length = self.rest().get(..size)?.iter().fold(0u64, |all, &byte| all << 8 | u64::from(byte));
-        let length = usize::try_from(length & (u64::MAX >> (66 - 8 * size))).ok()?;
-        let end = self.at.checked_add(size)?.checked_add(length)?;
-        self.at = (end <= self.bytes.len()).then_some(end)?;
-        Some(())
-    }
+/// Whether `word` starts a block.
+pub(super) fn is_keyword(word: &[u8]) -> bool {
+    KEYWORDS.iter().any(|keyword| word.eq_ignore_ascii_case(keyword.as_bytes()))
 }
 
 /// A name as legacy VTK writes it, where `%20` stands for a blank.
@@ -185,17 +237,5 @@ mod tests {
         assert_eq!(decoded("%C3%A9%"), "é%");
         assert_eq!(decoded("%FF"), "%FF");
         assert_eq!(decoded("%+1"), "%+1");
-    }
-
-    #[test]
-    fn texts_are_passed_over() {
-        let mut bytes = vec![0xc2, b'a', b'b', 0x80, 70];
-        bytes.extend([b'x'; 70]);
-        bytes.extend([0x40, 0, 0, 1, b'y', 0, 0, 0, 0, 0, 0, 0, 1, b'z', b'!']);
-        let mut cursor = Cursor::new(&bytes);
-        cursor.ascii = false;
-        cursor.skip_texts("a", 4).unwrap();
-        assert_eq!(cursor.rest(), b"!");
-        assert!(cursor.skip_texts("a", 1).is_err());
     }
 }

@@ -1,88 +1,169 @@
-//! One reader a format, chosen by the file's ending.
+//! The list of formats that are read, and how a file's bytes come in.
+//!
+//! A format is one module beside this one and one line in [`FORMATS`].
 
 mod appended;
 mod csv;
 mod legacy;
+mod legacy_arrays;
 mod legacy_text;
 mod npy;
 mod npz;
 mod npz_rows;
 mod pieces;
 mod records;
+mod text_numbers;
 mod xml;
 mod xml_arrays;
 
 use super::error::{Parsed, Problem, ReadError};
 use super::table::{Array, PointTable, Rows};
 pub use pieces::Pieces;
+use pieces::Source;
 use std::fs::File;
 use std::io::{BufRead, BufReader, Read};
 use std::path::Path;
 
-/// The endings that [`read`] knows, in any case of letters.
-pub const ENDINGS: [&str; 6] = [".csv", ".tsv", ".vtk", ".vtu", ".vtp", ".npz"];
+/// A format that is read, chosen by the file's ending.
+#[derive(Debug, Clone, Copy)]
+pub struct Format {
+    /// The endings with their dots, in small letters.
+    pub endings: &'static [&'static str],
+    /// What is read, in a few words.
+    pub about: &'static str,
+    read: fn(&Path) -> Parsed<PointTable>,
+    pieces: Option<OpenPieces>,
+}
+
+/// Opens a file to be read some points at a time.
+type OpenPieces = fn(&Path) -> Parsed<Box<dyn Source>>;
+
+impl Format {
+    /// Whether [`Pieces`] reads this format some points at a time.
+    pub fn is_read_in_pieces(&self) -> bool {
+        self.pieces.is_some()
+    }
+}
+
+macro_rules! formats {
+    ($($endings:tt $about:literal $read:expr, $pieces:expr;)+) => {
+        /// Every format that is read: what [`read`] and [`Pieces`] know.
+        ///
+        /// | ending | what is read |
+        /// |---|---|
+        $(#[doc = formats!(@row $endings $about)])+
+        pub const FORMATS: &[Format] =
+            &[$(Format { endings: &$endings, about: $about, read: $read, pieces: $pieces }),+];
+
+        /// The endings of all [`FORMATS`]; they are known in any case of letters.
+        pub const ENDINGS: &[&str] = formats!(@endings $($endings)+);
+    };
+    (@row [$first:literal $(, $other:literal)*] $about:literal) => {
+        concat!("| `", $first, "`", $(", `", $other, "`",)* " | ", $about, " |")
+    };
+    (@endings $([$($ending:literal),+])+) => { &[$($($ending),+),+] };
+}
+
+formats! {
+    [".csv"] "RFC 4180 with a header; `#` comments, blank lines and blanks around cells (not those between quotation marks) are passed over"
+        csv::read::<b','>, Some(csv::pieces::<b','>);
+    [".tsv"] "the same with tabs between the cells"
+        csv::read::<b'\t'>, Some(csv::pieces::<b'\t'>);
+    [".vtk"] "VTK's legacy format to version 5.1, ASCII and binary: unstructured grid, polygonal data, structured grid and points"
+        legacy::read, None;
+    [".vtu", ".vtp"] "VTK's XML: ASCII, base64 and raw, inline and appended, plain and zlib"
+        xml::read, None;
+    [".npz"] "NumPy's archive: arrays `x`, `y`, `z`, or `pos` of N×D, stored or deflated; a single `mass` or `density` is that of all"
+        npz::read, Some(npz_rows::pieces);
+}
+
+/// The endings of the formats that are read in pieces.
+pub(super) fn endings_in_pieces() -> impl Iterator<Item = &'static &'static str> {
+    FORMATS.iter().filter(|format| format.is_read_in_pieces()).flat_map(|format| format.endings)
+}
+
+/// The format that a path's ending names.
+fn format_of(path: &Path) -> Option<&'static Format> {
+    let ending = format!(".{}", path.extension()?.to_str()?.to_ascii_lowercase());
+    FORMATS.iter().find(|format| format.endings.contains(&&*ending))
+}
 
 /// Reads a particle file by its ending.
 ///
 /// # Errors
-/// [`ReadError::UnknownEnding`] before the file is looked at; [`ReadError::Io`] when the system would not give its
-/// bytes; [`ReadError::Invalid`] when its content is at fault.
+/// [`ReadError::UnknownEnding`] before the file is looked at; [`ReadError::NotAFile`] for a device, and for a pipe where a
+/// format needs more than one pass; [`ReadError::Io`] when the system would not give its bytes; [`ReadError::Invalid`]
+/// when its content is at fault.
 pub fn read(path: &Path) -> Result<PointTable, ReadError> {
     let file = path.display().to_string();
-    let ending = path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase());
-    let read = match ending.as_deref() {
-        Some("csv") => |path: &Path| csv::read(open(path)?, b','),
-        Some("tsv") => |path: &Path| csv::read(open(path)?, b'\t'),
-        Some("vtk") => |path: &Path| legacy::read(&bytes(path)?),
-        Some("vtu" | "vtp") => |path: &Path| xml::read(&bytes(path)?),
-        Some("npz") => |path: &Path| npz::read(open(path)?),
-        _ => return Err(ReadError::UnknownEnding { file }),
-    };
-    match read(path) {
+    let Some(format) = format_of(path) else { return Err(ReadError::UnknownEnding { file }) };
+    match (format.read)(path) {
         Ok(table) => Ok(PointTable { source: file, ..table }),
         Err(problem) => Err(problem.in_file(&file)),
     }
 }
 
-/// The file behind a buffer, of which there is at least one byte.
-fn open(path: &Path) -> Parsed<BufReader<File>> {
+/// Refuses a device, which may never end, and a pipe unless it may be one. `expected` says what can be read.
+fn refuse_special(path: &Path, may_be_pipe: bool, expected: &'static str) -> Parsed<()> {
+    let kind = path.metadata()?.file_type();
+    #[cfg(not(unix))]
+    let _ = (kind, may_be_pipe, expected);
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::FileTypeExt;
+        let found = if kind.is_fifo() {
+            (!may_be_pipe).then_some("a pipe")
+        } else if kind.is_socket() {
+            Some("a socket")
+        } else {
+            (kind.is_char_device() || kind.is_block_device()).then_some("a device")
+        };
+        if let Some(found) = found {
+            return Err(Problem::NotAFile { found, expected });
+        }
+    }
+    Ok(())
+}
+
+/// The file behind a buffer, of which there is at least one byte. `own` are the first bytes of the format, if it has such.
+fn open(path: &Path, own: &[u8]) -> Parsed<BufReader<File>> {
+    refuse_special(path, true, "a file is expected")?;
     let mut input = BufReader::with_capacity(1 << 18, File::open(path)?);
-    if input.fill_buf()?.is_empty() { Err(empty()) } else { Ok(input) }
+    let start = input.fill_buf()?;
+    if start.is_empty() {
+        return Err(Problem::new("the file is empty"));
+    }
+    match foreign(start).filter(|_| own.is_empty() || !start.starts_with(own)) {
+        Some(found) => Err(Problem::new(format!("the file is {found}, whatever its ending says"))),
+        None => Ok(input),
+    }
 }
 
 /// The whole file, of which there is at least one byte.
 fn bytes(path: &Path) -> Parsed<Vec<u8>> {
     let mut bytes = Vec::new();
-    File::open(path)?.read_to_end(&mut bytes)?;
-    if bytes.is_empty() { Err(empty()) } else { Ok(bytes) }
+    open(path, b"")?.read_to_end(&mut bytes)?;
+    Ok(bytes)
 }
 
-fn empty() -> Problem {
-    Problem::new("the file is empty")
+/// What the first bytes of a file say that it is, where no format here starts so.
+fn foreign(start: &[u8]) -> Option<&'static str> {
+    let known: [(&[u8], &str); 9] = [
+        (b"\x1f\x8b", "packed by gzip"),
+        (b"BZh91AY&SY", "packed by bzip2"),
+        (b"\xfd7zXZ\0", "packed by xz"),
+        (b"\x28\xb5\x2f\xfd", "packed by Zstandard"),
+        (b"PK\x03\x04", "a ZIP archive (.npz, or a spreadsheet)"),
+        (b"\x89HDF\r\n\x1a\n", "an HDF5 file"),
+        (b"\x93NUMPY", "a single array of NumPy (.npy)"),
+        (b"\xff\xfe", "text in UTF-16, not UTF-8"),
+        (b"\xfe\xff", "text in UTF-16, not UTF-8"),
+    ];
+    known.iter().find(|(first, _)| start.starts_with(first)).map(|&(_, what)| what)
 }
 
 /// A table of VTK: three coordinates a point, one point after the other.
 fn from_vtk(points: &[f64], arrays: Vec<Array>) -> Parsed<PointTable> {
     let axis = |axis: usize| points.iter().skip(axis).step_by(3).copied().collect();
     PointTable::assemble(vec![axis(0), axis(1), axis(2)], arrays, Rows::Points)
-}
-
-/// `count` numbers written as text with blanks between; `what` names them in messages.
-fn parse_text<'a>(
-    what: &str,
-    words: &mut impl Iterator<Item = &'a [u8]>,
-    count: usize,
-    out: &mut Vec<f64>,
-) -> Parsed<()> {
-    for index in 0..count {
-        let Some(word) = words.next() else {
-            return Err(Problem::at(what, format!("ends after {index} of {count} numbers")));
-        };
-        let Some(number) = super::numbers::parse(word) else {
-            let problem = format!("number {index} of {count}: {} is not a number", super::error::shown(word));
-            return Err(Problem::at(what, problem));
-        };
-        out.push(number);
-    }
-    Ok(())
 }

@@ -3,7 +3,7 @@
 //! The format is NumPy's NEP 1: a magic word, a version, the header's length, and a literal of a Python dictionary
 //! with the keys `descr`, `fortran_order` and `shape`.
 
-use crate::io::error::shown;
+use crate::io::error::{counted, shown};
 use crate::io::numbers::{Endian, Stored};
 use std::io::Read;
 
@@ -97,7 +97,8 @@ impl Header {
         let count = self.shape.iter().try_fold(1usize, |product, &length| product.checked_mul(length));
         let want = count.and_then(|count| Some((count, stored.bytes(count)?)));
         let Some((count, _)) = want.filter(|&(_, bytes)| bytes == data.len()) else {
-            return Err(format!("{} bytes for the shape {:?} of {}", data.len(), self.shape, self.descr));
+            let found = counted(data.len(), "byte");
+            return Err(format!("{found} for the shape {:?} of {}", self.shape, self.descr));
         };
         let mut values = Vec::with_capacity(count);
         stored.decode(data, endian, count, &mut values);

@@ -1,43 +1,66 @@
 //! Archives of NumPy arrays: `.npz`.
 
 use super::npy::Header;
-use crate::io::error::{Parsed, Problem};
-use crate::io::table::{AXES, Array, PointTable, Rows, take_coordinates};
-use std::io::{Read, Seek};
+use super::{open, refuse_special};
+use crate::io::error::{Parsed, Problem, counted};
+use crate::io::table::{
+    Array, DENSITY, MASS, PointTable, Rows, Unusable, fill_empty_names, is_axis, take_coordinates,
+};
+use std::fs::File;
+use std::io::{BufReader, Read, Seek};
+use std::path::Path;
 use zip::ZipArchive;
 
 /// Deflate packs at most 1032 bytes into one.
 const MOST_PACKED: u64 = 1032;
 
-/// An array of an archive, or why it is none.
+/// The first bytes of every ZIP file that is not empty.
+const MAGIC: &[u8] = b"PK";
+
+/// An array of an archive.
 pub(super) struct Member {
     pub(super) name: String,
     pub(super) shape: Vec<usize>,
-    /// Its numbers, or why there are none to use and whether there are numbers at all.
-    pub(super) values: Result<Vec<f64>, (String, bool)>,
+    pub(super) values: Result<Vec<f64>, Unusable>,
 }
 
 /// Reads an archive with the arrays `x`, `y`, `z`, or `pos` of N×D.
-pub(super) fn read(input: impl Read + Seek) -> Parsed<PointTable> {
-    let mut archive =
-        ZipArchive::new(input).map_err(|error| Problem::new(format!("not an .npz file: {error}")))?;
+pub(super) fn read(path: &Path) -> Parsed<PointTable> {
+    let mut archive = open_archive(path)?;
     let mut members = Vec::new();
     for index in 0..archive.len() {
         members.extend(member(&mut archive, index)?);
     }
+    fill_empty_names(members.iter_mut().map(|member| &mut member.name).collect());
     assemble(members)
+}
+
+/// Opens the archive, which has to be a regular file.
+pub(super) fn open_archive(path: &Path) -> Parsed<ZipArchive<BufReader<File>>> {
+    refuse_special(
+        path,
+        false,
+        "a regular file is expected, because an archive is not read from its start to its end",
+    )?;
+    let archive = ZipArchive::new(open(path, MAGIC)?);
+    archive.map_err(|error| Problem::new(format!("not an .npz file, or cut short: {error}")))
 }
 
 /// A table of arrays.
 pub(super) fn assemble(mut members: Vec<Member>) -> Parsed<PointTable> {
-    let pos = members.iter().position(|member| member.name.eq_ignore_ascii_case("pos"));
+    if members.is_empty() {
+        let problem = "there are no arrays in the archive: members that end in .npy are expected";
+        return Err(Problem::new(problem));
+    }
+    let has_x = members.iter().any(|member| member.is("x"));
+    // Beside `x`, a `pos` of another shape is an array like any other.
+    let pos = members.iter().position(|member| member.is("pos") && !(has_x && member.axes().is_none()));
     let mut coordinates = match pos {
         Some(index) => positions(members.remove(index))?,
         None => Vec::new(),
     };
-    let points = coordinates.first().map(Vec::len).or_else(|| {
-        members.iter().find(|member| member.name.eq_ignore_ascii_case("x"))?.shape.first().copied()
-    });
+    let points = coordinates.first().map(Vec::len);
+    let points = points.or_else(|| members.iter().find(|member| member.is("x"))?.shape.first().copied());
     let names: Vec<String> = members.iter().map(|member| format!("`{}`", member.name)).collect();
     let mut arrays: Vec<Array> =
         members.into_iter().map(|member| member.array(points.unwrap_or(0))).collect();
@@ -54,62 +77,108 @@ pub(super) fn assemble(mut members: Vec<Member>) -> Parsed<PointTable> {
     PointTable::assemble(coordinates, arrays, Rows::Points)
 }
 
+/// The name of an array in an archive, `None` if the member is none.
+pub(super) fn array_name(member: &str) -> Option<String> {
+    member.strip_suffix(".npy").map(str::to_owned)
+}
+
 /// Reads the array with this number, `None` if the member is no array.
 fn member<R: Read + Seek>(archive: &mut ZipArchive<R>, index: usize) -> Parsed<Option<Member>> {
     let unreadable = |error: String| Problem::new(format!("member {index} of the archive: {error}"));
     let mut file = archive.by_index(index).map_err(|error| unreadable(error.to_string()))?;
     let name = file.name().map_err(|error| unreadable(error.to_string()))?;
-    let Some(name) = name.strip_suffix(".npy").map(str::to_owned) else { return Ok(None) };
-    let wrong = |problem: String| Problem::at(format!("array `{name}`"), problem);
+    let Some(name) = array_name(&name) else { return Ok(None) };
     let (size, packed) = (file.size(), file.compressed_size());
+    let (shape, values) = match array(&mut file, size, packed) {
+        Ok((shape, values)) => (shape, values),
+        Err(problem) => (Vec::new(), Err(Unusable::numbers(problem))),
+    };
+    Ok(Some(Member { name, shape, values }))
+}
+
+type Content = (Vec<usize>, Result<Vec<f64>, Unusable>);
+
+/// Shape and numbers of a member whose `size` bytes take `packed` bytes in the archive.
+fn array(file: &mut impl Read, size: u64, packed: u64) -> Result<Content, String> {
     if size / MOST_PACKED > packed {
-        return Err(wrong(format!("{packed} packed bytes cannot hold the {size} that the archive claims")));
+        return Err(format!("{packed} packed bytes cannot hold the {size} that the archive claims"));
     }
     let mut bytes = Vec::new();
-    (&mut file).take(size).read_to_end(&mut bytes).map_err(|error| wrong(error.to_string()))?;
-    let (header, data) = Header::split(&bytes).map_err(&wrong)?;
+    // The checksum is compared where the reader meets the end, so one byte more than there should be is asked for.
+    file.take(size.saturating_add(1)).read_to_end(&mut bytes).map_err(|error| damaged(&error))?;
+    if bytes.len() as u64 != size {
+        return Err(format!("{} bytes or more, where the archive claims {size}", bytes.len()));
+    }
+    let (header, data) = Header::split(&bytes)?;
     let values = match header.stored() {
-        Some((stored, endian)) => Ok(header.numbers(stored, endian, data).map_err(wrong)?),
-        None => Err((format!("values of type {} where numbers are expected", header.descr), false)),
+        Some((stored, endian)) => Ok(header.numbers(stored, endian, data)?),
+        None => Err(Unusable::other(format!("values of type {} where numbers are expected", header.descr))),
     };
-    Ok(Some(Member { name, shape: header.shape, values }))
+    Ok((header.shape, values))
+}
+
+/// What a failure to unpack says of a member.
+pub(super) fn damaged(error: &std::io::Error) -> String {
+    format!("the array is damaged or cut short: {}", error.to_string().to_lowercase())
 }
 
 impl Member {
+    fn is(&self, name: &str) -> bool {
+        self.name.eq_ignore_ascii_case(name)
+    }
+
+    /// How many coordinates a point has, if the shape is that of positions.
+    fn axes(&self) -> Option<usize> {
+        match self.shape[..] {
+            [_, axes @ 1..=3] => Some(axes),
+            _ => None,
+        }
+    }
+
     /// The array at `points` points, with a fault if it has not one row for each.
     fn array(self, points: usize) -> Array {
-        let name = self.name;
-        match (self.values, self.shape.split_first()) {
-            (Err((problem, has_numbers)), _) => Array::unusable(name, problem, has_numbers),
-            // A single number says something of the whole, not of the points.
-            (Ok(_), None) => Array::unusable(name, "a single number where one a point is expected", false),
-            (Ok(values), Some((&rows, rest))) => {
-                let components =
-                    rest.iter().try_fold(1usize, |all, &length| all.checked_mul(length)).unwrap_or(0);
-                if components == 0 || rows != points && !is_axis(&name) {
-                    let shape = &self.shape;
-                    return Array::unusable(name, format!("shape {shape:?} for {points} points"), true);
-                }
-                Array::new(name, components, values)
-            }
+        let Self { name, shape, values } = self;
+        let values = match values {
+            Ok(values) => values,
+            Err(unusable) => return Array::unusable(name, unusable),
+        };
+        if is_single(&name, &shape, points) {
+            return Array::new(name, 1, vec![values[0]; points]);
         }
+        let Some((&rows, rest)) = shape.split_first() else {
+            return Array::unusable(name, Unusable::other(unfit(&shape, points)));
+        };
+        let components = rest.iter().try_fold(1usize, |all, &length| all.checked_mul(length)).unwrap_or(0);
+        if components == 0 || rows != points && !is_axis(&name) {
+            return Array::unusable(name, Unusable::other(unfit(&shape, points)));
+        }
+        Array::new(name, components, values)
     }
 }
 
-/// Whether the lengths of this array are compared with each other later.
-pub(super) fn is_axis(name: &str) -> bool {
-    AXES.iter().any(|axis| name.eq_ignore_ascii_case(axis))
+/// Whether an array is a single mass or density, which is that of all points.
+pub(super) fn is_single(name: &str, shape: &[usize], points: usize) -> bool {
+    let is_special = MASS.iter().chain(&DENSITY).any(|special| name.eq_ignore_ascii_case(special));
+    is_special && shape.first() != Some(&points) && shape.iter().all(|&length| length == 1)
+}
+
+/// Says that an array of this shape has not one row a point.
+pub(super) fn unfit(shape: &[usize], count: usize) -> String {
+    let points = counted(count, "point");
+    match shape {
+        [] => format!("a single number, where one for each of {points} is expected"),
+        _ => format!("shape {shape:?}, where [{count}] or [{count}, n] for {points} is expected"),
+    }
 }
 
 /// The coordinates of `pos`, axis by axis.
 fn positions(pos: Member) -> Parsed<Vec<Vec<f64>>> {
     let at = format!("array `{}`", pos.name);
-    let values = pos.values.map_err(|(problem, _)| Problem::at(&at, problem))?;
-    match pos.shape[..] {
-        [_, axes @ 1..=3] => {
-            let axis = |axis: usize| values.iter().skip(axis).step_by(axes).copied().collect();
-            Ok((0..axes).map(axis).collect())
-        }
-        _ => Err(Problem::at(at, format!("shape {:?} where [points, 1 to 3] is expected", pos.shape))),
-    }
+    let axes = pos.axes();
+    let values = pos.values.map_err(|unusable| Problem::at(&at, unusable.problem))?;
+    let axes = axes.ok_or_else(|| {
+        Problem::at(at, format!("shape {:?} where [points, 1 to 3] is expected", pos.shape))
+    })?;
+    let axis = |axis: usize| values.iter().skip(axis).step_by(axes).copied().collect();
+    Ok((0..axes).map(axis).collect())
 }

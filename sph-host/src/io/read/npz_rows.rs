@@ -1,11 +1,11 @@
 //! Archives of NumPy arrays, some rows at a time: every array has a reader of its own.
 
 use super::npy::Header;
-use super::npz::{self, Member, is_axis};
-use super::open;
+use super::npz::{self, Member, array_name, damaged, is_single, open_archive, unfit};
+use super::pieces::Source;
 use crate::io::error::{Parsed, Problem};
 use crate::io::numbers::{Endian, Stored};
-use crate::io::table::PointTable;
+use crate::io::table::{PointTable, Unusable, fill_empty_names, is_axis};
 use flate2::{CrcReader, read::DeflateDecoder};
 use std::fs::File;
 use std::io::{BufReader, Read, Seek, SeekFrom};
@@ -13,19 +13,26 @@ use std::path::Path;
 use zip::{CompressionMethod, ZipArchive};
 
 /// An archive whose arrays are read side by side.
-pub(super) struct Archive {
+struct Archive {
     arrays: Vec<Rows>,
     /// Points that are still to come.
     left: usize,
 }
 
-/// An array on its way in.
+/// An array that is being read.
 struct Rows {
     name: String,
     /// The shape of the whole.
     shape: Vec<usize>,
-    /// How to read it; or why it has no row a point, and whether it has numbers at all.
-    input: Result<Input, (String, bool)>,
+    content: Content,
+}
+
+enum Content {
+    /// One row a point.
+    Rows(Input),
+    /// One number for all points.
+    Single(f64),
+    Unusable(Unusable),
 }
 
 struct Input {
@@ -37,40 +44,29 @@ struct Input {
     checksum: u32,
 }
 
-impl Archive {
-    pub(super) fn open(path: &Path) -> Parsed<Self> {
-        let mut archive = ZipArchive::new(open(path)?)
-            .map_err(|error| Problem::new(format!("not an .npz file: {error}")))?;
-        let mut arrays = Vec::new();
-        for index in 0..archive.len() {
-            arrays.extend(Rows::open(path, &mut archive, index)?);
-        }
-        let first = |name: &str| arrays.iter().find(|rows: &&Rows| rows.name.eq_ignore_ascii_case(name));
-        let leader = first("pos").or_else(|| first("x"));
-        let left = leader.and_then(|rows| rows.shape.first().copied()).unwrap_or(0);
-        for rows in arrays.iter_mut().filter(|rows| rows.shape.first() != Some(&left)) {
-            let problem = format!("shape {:?} for {left} points", rows.shape);
-            if is_axis(&rows.name) {
-                return Err(Problem::at(format!("array `{}`", rows.name), problem));
-            }
-            if rows.input.is_ok() {
-                rows.input = Err((problem, !rows.shape.is_empty()));
-            }
-        }
-        Ok(Self { arrays, left })
+/// Opens an archive to be read some rows at a time.
+pub(super) fn pieces(path: &Path) -> Parsed<Box<dyn Source>> {
+    let mut archive = open_archive(path)?;
+    let mut arrays = Vec::new();
+    for index in 0..archive.len() {
+        arrays.extend(Rows::open(path, &mut archive, index)?);
     }
+    fill_empty_names(arrays.iter_mut().map(|rows| &mut rows.name).collect());
+    let first = |name: &str| arrays.iter().find(|rows: &&Rows| rows.name.eq_ignore_ascii_case(name));
+    let leader = first("x").or_else(|| first("pos"));
+    let left = leader.and_then(|rows| rows.shape.first().copied()).unwrap_or(0);
+    for rows in &mut arrays {
+        rows.fit(left)?;
+    }
+    Ok(Box::new(Archive { arrays, left }))
+}
 
-    /// The next points, at most so many.
-    pub(super) fn piece(&mut self, most: usize) -> Parsed<PointTable> {
+impl Source for Archive {
+    fn piece(&mut self, most: usize) -> Parsed<PointTable> {
         let count = self.left.min(most);
         self.left -= count;
         let is_last = self.left == 0;
-        let mut members = Vec::with_capacity(self.arrays.len());
-        for rows in &mut self.arrays {
-            let at = format!("array `{}`", rows.name);
-            members.push(rows.next(count, is_last).map_err(|problem| Problem::at(at, problem))?);
-        }
-        npz::assemble(members)
+        npz::assemble(self.arrays.iter_mut().map(|rows| rows.next(count, is_last)).collect())
     }
 }
 
@@ -80,42 +76,78 @@ impl Rows {
         let unreadable = |error: String| Problem::new(format!("member {index} of the archive: {error}"));
         let file = archive.by_index(index).map_err(|error| unreadable(error.to_string()))?;
         let name = file.name().map_err(|error| unreadable(error.to_string()))?;
-        let Some(name) = name.strip_suffix(".npy").map(str::to_owned) else { return Ok(None) };
-        let wrong = |problem: String| Problem::at(format!("array `{name}`"), problem);
-        let start =
-            file.data_start().ok_or_else(|| wrong("the archive does not say where it is".to_owned()))?;
+        let Some(name) = array_name(&name) else { return Ok(None) };
+        let start = file.data_start().ok_or_else(|| unreadable("it is not said where it is".to_owned()))?;
         let mut packed = File::open(path)?;
         packed.seek(SeekFrom::Start(start))?;
         let packed = BufReader::with_capacity(1 << 16, packed.take(file.compressed_size()));
         let bytes: Box<dyn Read> = match file.compression() {
             CompressionMethod::Stored => Box::new(packed),
             CompressionMethod::Deflated => Box::new(DeflateDecoder::new(packed)),
-            other => return Err(wrong(format!("packed by {other}, where stored or deflated is expected"))),
+            other => {
+                let problem = format!("packed by {other}, where stored or deflated is expected");
+                return Err(Problem::at(format!("array `{name}`"), problem));
+            }
         };
         let mut bytes = CrcReader::new(bytes);
-        let header = Header::read(&mut bytes).map_err(wrong)?;
-        let (shape, checksum) = (header.shape.clone(), file.crc32());
-        let input = match header.stored() {
-            None => Err((format!("values of type {} where numbers are expected", header.descr), false)),
-            Some(_) if header.fortran_order && shape.len() > 1 => {
-                Err(("columns one after the other cannot be read row by row".to_owned(), true))
-            }
-            Some((stored, endian)) => Ok(Input { stored, endian, header, bytes, checksum }),
+        let (shape, content) = match Header::read(&mut bytes) {
+            Ok(header) => (header.shape.clone(), Content::of(header, bytes, file.crc32())),
+            Err(problem) => (Vec::new(), Content::Unusable(Unusable::numbers(problem))),
         };
-        Ok(Some(Self { name, shape, input }))
+        Ok(Some(Self { name, shape, content }))
+    }
+
+    /// Sets aside an array that has not one row for each of `points` points.
+    fn fit(&mut self, points: usize) -> Parsed<()> {
+        if self.shape.first() == Some(&points) {
+            return Ok(());
+        }
+        let Content::Rows(input) = &mut self.content else { return Ok(()) };
+        if is_axis(&self.name) {
+            return Err(Problem::at(format!("array `{}`", self.name), unfit(&self.shape, points)));
+        }
+        self.content = if is_single(&self.name, &self.shape, points) {
+            match input.next(1, true) {
+                Ok(values) => Content::Single(values[0]),
+                Err(problem) => Content::Unusable(Unusable::numbers(problem)),
+            }
+        } else {
+            Content::Unusable(Unusable::other(unfit(&self.shape, points)))
+        };
+        Ok(())
     }
 
     /// The next rows. After the last, the bytes must be those that the archive promised.
-    fn next(&mut self, count: usize, is_last: bool) -> Result<Member, String> {
-        let values = match &mut self.input {
-            Err(problem) => Err(problem.clone()),
-            Ok(input) => Ok(input.next(count, is_last)?),
-        };
+    fn next(&mut self, count: usize, is_last: bool) -> Member {
         let mut shape = self.shape.clone();
         if let Some(rows) = shape.first_mut() {
             *rows = count;
         }
-        Ok(Member { name: self.name.clone(), shape, values })
+        let name = self.name.clone();
+        let values = match &mut self.content {
+            Content::Single(value) => return Member { name, shape: Vec::new(), values: Ok(vec![*value]) },
+            Content::Unusable(unusable) => Err(unusable.clone()),
+            Content::Rows(input) => input.next(count, is_last).map_err(Unusable::numbers),
+        };
+        if let Err(unusable) = &values {
+            self.content = Content::Unusable(unusable.clone());
+        }
+        Member { name, shape, values }
+    }
+}
+
+impl Content {
+    fn of(header: Header, bytes: CrcReader<Box<dyn Read>>, checksum: u32) -> Self {
+        match header.stored() {
+            None => Self::Unusable(Unusable::other(format!(
+                "values of type {} where numbers are expected",
+                header.descr
+            ))),
+            Some(_) if header.fortran_order && header.shape.len() > 1 => Self::Unusable(Unusable::numbers(
+                "columns one after the other (fortran_order) cannot be read some rows at a time",
+            )),
+            Some((stored, endian)) => Self::Rows(Input { stored, endian, header, bytes, checksum }),
+        }
     }
 }
 
@@ -127,11 +159,11 @@ impl Input {
         let numbers = self.header.shape.iter().try_fold(1_usize, |all, &length| all.checked_mul(length));
         let size = numbers.and_then(|numbers| self.stored.bytes(numbers)).unwrap_or(usize::MAX);
         let mut data = Vec::new();
-        (&mut self.bytes).take(size as u64).read_to_end(&mut data).map_err(|error| error.to_string())?;
+        (&mut self.bytes).take(size as u64).read_to_end(&mut data).map_err(|error| damaged(&error))?;
         let values = self.header.numbers(self.stored, self.endian, &data)?;
         if is_last {
             let rest =
-                std::io::copy(&mut self.bytes, &mut std::io::sink()).map_err(|error| error.to_string())?;
+                std::io::copy(&mut self.bytes, &mut std::io::sink()).map_err(|error| damaged(&error))?;
             if rest > 0 || self.bytes.crc().sum() != self.checksum {
                 return Err(format!("{rest} bytes too many, or damaged: the checksum does not fit"));
             }

@@ -1,18 +1,20 @@
 //! Files larger than memory: some points at a time.
 
-use super::csv::Text;
-use super::npz_rows::Archive;
-use super::{ReadError, open};
+use super::{ReadError, format_of, refuse_special};
 use crate::io::error::{Parsed, Problem};
 use crate::io::table::PointTable;
-use std::fs::File;
-use std::io::BufReader;
 use std::path::Path;
 
-/// The points of a `.csv`, `.tsv` or `.npz` file in tables of a few, in the file's order.
+/// A file that gives its points in tables of a few.
+pub(super) trait Source {
+    /// The next points, at most so many; none after the last.
+    fn piece(&mut self, most: usize) -> Parsed<PointTable>;
+}
+
+/// The points of a file in tables of a few, in the file's order, for the [`FORMATS`](super::FORMATS) that have this.
 ///
-/// What [`read`](super::read) says of a column as a whole, this says of each piece: a column with text in one piece and numbers in the
-/// next has a fault in the first alone.
+/// What [`read`](super::read()) says of a column as a whole, this says of each piece: a column with text in one piece and numbers in the
+/// next has a fault in the first alone. A checksum is that of all bytes, so damage is found with the last piece.
 ///
 /// ```
 /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -31,29 +33,22 @@ pub struct Pieces {
     source: String,
     most: usize,
     /// None after the last piece and after an error.
-    reader: Option<Reader>,
-}
-
-enum Reader {
-    Text(Text<BufReader<File>>),
-    Archive(Archive),
+    reader: Option<Box<dyn Source>>,
 }
 
 impl Pieces {
     /// Opens a file to be read at most so many points at a time.
     ///
     /// # Errors
-    /// As [`read`](super::read); an ending that cannot be read piece by piece is unknown.
+    /// As [`read`](super::read()). An ending that cannot be read piece by piece is [`ReadError::NotInPieces`]. The file must be a
+    /// regular one, not a pipe: who reads in pieces reads more than once, or in several places.
     pub fn open(path: &Path, most: usize) -> Result<Self, ReadError> {
         let source = path.display().to_string();
-        let ending = path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase());
-        let reader = match ending.as_deref() {
-            Some("csv") => open(path).and_then(|file| Text::open(file, b',')).map(Reader::Text),
-            Some("tsv") => open(path).and_then(|file| Text::open(file, b'\t')).map(Reader::Text),
-            Some("npz") => Archive::open(path).map(Reader::Archive),
-            _ => return Err(ReadError::NotInPieces { file: source }),
-        };
-        match reader {
+        let format = format_of(path).and_then(|format| format.pieces);
+        let open = format.ok_or_else(|| ReadError::NotInPieces { file: source.clone() })?;
+        let expected = "a regular file is expected, because what is read in pieces is read more than once";
+        let opened = refuse_special(path, false, expected).and_then(|()| open(path));
+        match opened {
             Ok(reader) => Ok(Self { source, most: most.max(1), reader: Some(reader) }),
             Err(problem) => Err(problem.in_file(&source)),
         }
@@ -61,10 +56,7 @@ impl Pieces {
 
     fn piece(&mut self) -> Parsed<Option<PointTable>> {
         let Some(reader) = &mut self.reader else { return Ok(None) };
-        let table = match reader {
-            Reader::Text(text) => text.piece(self.most)?,
-            Reader::Archive(archive) => archive.piece(self.most)?,
-        };
+        let table = reader.piece(self.most)?;
         Ok(if table.is_empty() { None } else { Some(PointTable { source: self.source.clone(), ..table }) })
     }
 }

@@ -13,12 +13,22 @@ pub(super) struct Records<R> {
     lines: usize,
     line: Vec<u8>,
     unquoted: Vec<u8>,
-    /// Where the cells of the current record are, in `unquoted` if `is_quoted`, else in `line`.
-    cells: Vec<(usize, usize)>,
+    /// Whether a carriage return stood before the line's line feed.
+    has_return: bool,
+    /// The cells of the current record, in `unquoted` if it has quotation marks, else in `line`.
+    cells: Vec<Cell>,
+    has_marks: bool,
+}
+
+/// Where a cell is, and whether it stood between quotation marks.
+#[derive(Clone, Copy)]
+struct Cell {
+    start: usize,
+    end: usize,
     is_quoted: bool,
 }
 
-/// What the cutting of a line with quotation marks stands in.
+/// Where in a cell the splitting of a line with quotation marks is.
 #[derive(Clone, Copy, PartialEq)]
 enum State {
     /// Blanks at the start of a cell.
@@ -36,10 +46,10 @@ enum State {
 impl<R: BufRead> Records<R> {
     pub(super) fn new(input: R, delimiter: u8) -> Self {
         let (line, unquoted, cells) = (Vec::new(), Vec::new(), Vec::new());
-        Self { input, delimiter, lines: 0, line, unquoted, cells, is_quoted: false }
+        Self { input, delimiter, lines: 0, line, unquoted, has_return: false, cells, has_marks: false }
     }
 
-    /// Goes to the next record and gives the line that it starts on, from 1.
+    /// Moves to the next record and returns the line that it starts on, from 1.
     pub(super) fn advance(&mut self) -> Parsed<Option<usize>> {
         loop {
             if !self.next_line()? {
@@ -52,8 +62,8 @@ impl<R: BufRead> Records<R> {
         }
         let start = self.lines;
         self.cells.clear();
-        self.is_quoted = memchr::memchr(b'"', &self.line).is_some();
-        if self.is_quoted {
+        self.has_marks = memchr::memchr(b'"', &self.line).is_some();
+        if self.has_marks {
             self.cut_quoted(start)?
         } else {
             self.cut()
@@ -66,10 +76,18 @@ impl<R: BufRead> Records<R> {
         self.cells.len()
     }
 
-    /// The cells of the current record without blanks around them.
+    /// The cells of the current record: as they are where they stand between quotation marks, else without blanks around.
     pub(super) fn cells(&self) -> impl Iterator<Item = &[u8]> {
-        let text = if self.is_quoted { &self.unquoted } else { &self.line };
-        self.cells.iter().map(|&(start, end)| self.trimmed(&text[start..end]))
+        let text = if self.has_marks { &self.unquoted } else { &self.line };
+        self.cells.iter().map(|cell| {
+            let content = &text[cell.start..cell.end];
+            if cell.is_quoted { content } else { self.trimmed(content) }
+        })
+    }
+
+    /// Whether the cell with this number stands between quotation marks.
+    pub(super) fn is_quoted(&self, index: usize) -> bool {
+        self.cells.get(index).is_some_and(|cell| cell.is_quoted)
     }
 
     fn is_blank(&self, byte: u8) -> bool {
@@ -103,7 +121,8 @@ impl<R: BufRead> Records<R> {
         if self.line.ends_with(b"\n") {
             self.line.pop();
         }
-        if self.line.ends_with(b"\r") {
+        self.has_return = self.line.ends_with(b"\r");
+        if self.has_return {
             self.line.pop();
         }
         Ok(true)
@@ -112,10 +131,10 @@ impl<R: BufRead> Records<R> {
     fn cut(&mut self) {
         let mut start = 0;
         for end in memchr::memchr_iter(self.delimiter, &self.line) {
-            self.cells.push((start, end));
+            self.cells.push(Cell { start, end, is_quoted: false });
             start = end + 1;
         }
-        self.cells.push((start, self.line.len()));
+        self.cells.push(Cell { start, end: self.line.len(), is_quoted: false });
     }
 
     /// Cuts a record with quotation marks, which may go over several lines.
@@ -128,14 +147,19 @@ impl<R: BufRead> Records<R> {
                 state = self.step(state, byte, &mut begin)?;
             }
             if state != State::Quoted {
-                self.cells.push((begin, self.unquoted.len()));
+                self.end_cell(state, begin);
                 return Ok(());
             }
-            self.unquoted.push(b'\n');
+            self.unquoted.extend_from_slice(if self.has_return { b"\r\n" } else { b"\n" });
             if !self.next_line()? {
                 return Err(Problem::at(format!("line {start}"), "a quotation mark is never closed"));
             }
         }
+    }
+
+    fn end_cell(&mut self, state: State, start: usize) {
+        let is_quoted = matches!(state, State::Closing | State::Closed);
+        self.cells.push(Cell { start, end: self.unquoted.len(), is_quoted });
     }
 
     fn step(&mut self, state: State, byte: u8, begin: &mut usize) -> Parsed<State> {
@@ -144,7 +168,7 @@ impl<R: BufRead> Records<R> {
             (State::Quoted, _) => State::Quoted,
             (State::Closing, b'"') => State::Quoted,
             (_, byte) if byte == self.delimiter => {
-                self.cells.push((*begin, self.unquoted.len()));
+                self.end_cell(state, *begin);
                 *begin = self.unquoted.len();
                 return Ok(State::Start);
             }
@@ -187,7 +211,7 @@ mod tests {
     #[test]
     fn lines_are_those_of_the_file() {
         let text = b"\xef\xbb\xbf# note, \"unclosed\r\n\r\na , \"b \"\"c\"\"\"\r\n  \n\"two\r\nlines\" ,\"d,e\"\n # f\n1,2";
-        let want = [row(3, &["a", "b \"c\""]), row(5, &["two\nlines", "d,e"]), row(8, &["1", "2"])];
+        let want = [row(3, &["a", "b \"c\""]), row(5, &["two\r\nlines", "d,e"]), row(8, &["1", "2"])];
         assert_eq!(records(text, b','), want);
     }
 
@@ -201,6 +225,7 @@ mod tests {
     fn a_mark_inside_a_plain_cell_is_text() {
         assert_eq!(records(b"5\",6\n1,2", b','), [row(1, &["5\"", "6"]), row(2, &["1", "2"])]);
         assert_eq!(records(b"\"\",\"#\"", b','), [row(1, &["", "#"])]);
+        assert_eq!(records(b" \" a \" , b ", b','), [row(1, &[" a ", "b"])]);
     }
 
     #[test]

@@ -3,84 +3,100 @@
 //! Source: *VTK File Formats*, docs.vtk.org.
 
 use super::appended::from_base64;
-use super::xml_arrays::{Content, DataArray, Layout, Piece, layout};
-use super::{from_vtk, parse_text};
-use crate::io::error::{Parsed, Problem};
-use crate::io::table::{Array, PointTable};
+use super::text_numbers::{TextNumbers, required};
+use super::xml_arrays::{Content, DataArray, Form, Layout, layout};
+use super::{bytes, from_vtk};
+use crate::io::error::{Parsed, Problem, counted};
+use crate::io::table::{Array, PointTable, Unusable};
 use std::borrow::Cow;
+use std::path::Path;
 
 /// Reads unstructured grids and polygonal data.
-pub(super) fn read(bytes: &[u8]) -> Parsed<PointTable> {
-    let layout = layout(bytes)?;
-    let mut points = Vec::new();
-    let mut arrays: Option<Vec<Array>> = None;
-    for (index, piece) in layout.pieces.iter().enumerate().filter(|(_, piece)| piece.points > 0) {
-        let coordinates = piece.coordinates.as_ref();
-        let missing = || Problem::at(format!("piece {index}"), "there are no points where some are claimed");
-        let coordinates = coordinates.ok_or_else(missing)?;
-        if coordinates.components != 3 {
-            let problem = format!("{} coordinates a point, where 3 are expected", coordinates.components);
-            return Err(Problem::at("Points", problem));
-        }
-        layout.numbers("Points", coordinates, piece.points, &mut points)?;
-        let arrays = arrays.get_or_insert_with(|| piece.arrays.iter().map(empty).collect());
-        append(&layout, piece, index, arrays)?;
-    }
+pub(super) fn read(path: &Path) -> Parsed<PointTable> {
+    let bytes = bytes(path)?;
+    let layout = layout(&bytes)?;
     if layout.pieces.is_empty() {
         return Err(Problem::new("there is no Piece, or the file is cut short"));
     }
-    let declared = || layout.pieces[0].arrays.iter().map(empty).collect();
-    from_vtk(&points, arrays.unwrap_or_else(declared))
-}
-
-/// An array like `declared`, without numbers yet.
-fn empty(declared: &DataArray<'_>) -> Array {
-    match declared.stored {
-        Some(_) => Array::new(&declared.name, declared.components, Vec::new()),
-        None => Array::unusable(&declared.name, "texts where numbers are expected", false),
-    }
-}
-
-/// Appends what `piece` says of its points.
-fn append(layout: &Layout<'_>, piece: &Piece<'_>, index: usize, arrays: &mut [Array]) -> Parsed<()> {
-    if piece.arrays.len() != arrays.len() {
-        let problem = format!("{} arrays, where the piece before has {}", piece.arrays.len(), arrays.len());
-        return Err(Problem::at(format!("piece {index}"), problem));
-    }
-    for (array, position) in arrays.iter_mut().zip(0..) {
-        let name = format!("array `{}`", array.name);
-        // Names are in the same order but for odd files; two of one name are found when the table is assembled.
-        let same = |other: &&DataArray<'_>| other.name == array.name;
-        let found = piece.arrays.get(position).filter(same).or_else(|| piece.arrays.iter().find(same));
-        let found = found.filter(|found| found.stored.is_none() || found.components == array.components);
-        let Some(found) = found.filter(|found| found.stored.is_some() == array.fault.is_none()) else {
-            let problem = format!("piece {index} has no such array, or one of another shape or type");
-            return Err(Problem::at(name, problem));
-        };
-        if array.fault.is_none() {
-            layout.numbers(&name, found, piece.points, &mut array.values)?;
+    let mut points = Vec::new();
+    for (index, piece) in layout.pieces.iter().enumerate().filter(|(_, piece)| piece.points > 0) {
+        let missing = || Problem::at(format!("piece {index}"), "there are no points where some are claimed");
+        let coordinates = piece.coordinates.as_ref().ok_or_else(missing)?;
+        let read = required(layout.array("Points", coordinates, piece.points, points.len() / 3))?;
+        if read.len() != 3 * piece.points {
+            let found = counted(read.len() / piece.points, "coordinate");
+            return Err(Problem::at("Points", format!("{found} a point, where 3 are expected")));
         }
+        points.extend(read);
     }
-    Ok(())
+    from_vtk(&points, layout.arrays())
 }
 
 impl Layout<'_> {
-    /// Appends the numbers of `array` at `points` points to `out`.
-    fn numbers(&self, what: &str, array: &DataArray<'_>, points: usize, out: &mut Vec<f64>) -> Parsed<()> {
-        let wrong = |problem: String| Problem::at(what, problem);
-        let stored = array.stored.ok_or_else(|| wrong("texts where numbers are expected".to_owned()))?;
-        let sizes =
-            points.checked_mul(array.components).and_then(|count| Some((count, stored.bytes(count)?)));
-        let (count, bytes) = sizes.ok_or_else(|| wrong(format!("{points} points are claimed")))?;
-        let data = match &array.content {
-            Content::Ascii(text) => return ascii(what, text, count, out),
+    /// The arrays of all pieces one after the other, each with a fault where a piece has not the same.
+    fn arrays(&self) -> Vec<Array> {
+        // Pieces without points declare what they would have: they count where all are so.
+        let filled = self.pieces.iter().position(|piece| piece.points > 0);
+        let mut arrays: Vec<Array> = Vec::new();
+        let mut first = 0;
+        for (index, piece) in
+            self.pieces.iter().enumerate().filter(|(_, piece)| piece.points > 0 || filled.is_none())
+        {
+            let known = arrays.len();
+            let mut is_there = vec![false; known];
+            for declared in &piece.arrays {
+                let read = self.array(&declared.name, declared, piece.points, first);
+                let same = (0..known).find(|&at| !is_there[at] && arrays[at].name == declared.name);
+                match same {
+                    Some(at) => {
+                        is_there[at] = true;
+                        append(&mut arrays[at], read, index);
+                    }
+                    // Two of one name in a piece are found when the table is assembled.
+                    None if first == 0 => arrays.push(read),
+                    None => arrays.push(missing(&read.name, filled.unwrap_or(0))),
+                }
+            }
+            let absent =
+                arrays.iter_mut().zip(&is_there).filter(|(array, there)| !**there && array.fault.is_none());
+            for (array, _) in absent {
+                *array = missing(&array.name, index);
+            }
+            first += piece.points;
+        }
+        arrays
+    }
+
+    /// What `declared` holds at `points` points, of which the first has the number `first`.
+    fn array(&self, name: &str, declared: &DataArray<'_>, points: usize, first: usize) -> Array {
+        let read = match &declared.form {
+            Ok(form) => self.numbers(form, name, points, first),
+            Err(unusable) => Err(unusable.clone()),
+        };
+        read.unwrap_or_else(|unusable| Array::unusable(name, unusable))
+    }
+
+    fn numbers(&self, form: &Form<'_>, name: &str, points: usize, first: usize) -> Result<Array, Unusable> {
+        let &Form { stored, components, .. } = form;
+        if points == 0 {
+            return Ok(Array::new(name, components, Vec::new()));
+        }
+        let sizes = points.checked_mul(components).and_then(|count| Some((count, stored.bytes(count)?)));
+        let claim = || Unusable::numbers(format!("{points} points of {components} numbers are claimed"));
+        let (count, bytes) = sizes.ok_or_else(claim)?;
+        let data = match &form.content {
+            Content::Ascii(text) => {
+                return ascii(text.as_bytes(), count)
+                    .map(|numbers| numbers.into_array(name.to_owned(), components, first));
+            }
             Content::Base64(text) => from_base64(text.as_bytes()).map(Cow::Owned),
             Content::Appended(offset) => self.appended_at(*offset),
         };
-        let data = data.map_err(wrong)?;
-        let unpacked = self.packing.unpack(&data, bytes).map_err(wrong)?;
-        stored.decode(&unpacked, self.packing.endian, count, out);
-        Ok(())
+        let data = data.map_err(Unusable::numbers)?;
+        let unpacked = self.packing.unpack(&data, bytes).map_err(Unusable::numbers)?;
+        let mut values = Vec::with_capacity(count);
+        stored.decode(&unpacked, self.packing.endian, count, &mut values);
+        Ok(Array::new(name, components, values))
     }
 
     /// The appended data from `offset` on; base64 ends where the next array starts.
@@ -98,18 +114,38 @@ impl Layout<'_> {
     }
 }
 
-/// Appends `count` numbers of `text`, which has no more.
-fn ascii(what: &str, text: &str, count: usize, out: &mut Vec<f64>) -> Parsed<()> {
-    // As text a number takes a digit and a blank.
-    if count / 2 > text.len() {
-        let problem = format!("{count} numbers are claimed, but only {} bytes follow", text.len());
-        return Err(Problem::at(what, problem));
+/// Appends to `array` what piece `index` has of it.
+fn append(array: &mut Array, read: Array, index: usize) {
+    if array.fault.is_some() {
+        return;
     }
-    out.reserve(count);
-    let mut words = text.as_bytes().split(u8::is_ascii_whitespace).filter(|word| !word.is_empty());
-    parse_text(what, &mut words, count, out)?;
-    match words.next() {
-        Some(_) => Err(Problem::at(what, format!("more than {count} numbers"))),
-        None => Ok(()),
+    if read.fault.is_none() && read.components != array.components {
+        let (found, before) = (read.components, array.components);
+        let problem = format!(
+            "piece {index} has {} a point, where the pieces before have {before}",
+            counted(found, "number")
+        );
+        *array = Array::unusable(read.name, Unusable::numbers(problem));
+    } else if read.fault.is_some() {
+        *array = read;
+    } else {
+        array.extend(read.values);
     }
+}
+
+/// The array `name`, which the piece with this number has not.
+fn missing(name: &str, piece: usize) -> Array {
+    Array::unusable(name, Unusable::numbers(format!("piece {piece} has no such array")))
+}
+
+/// `count` numbers of `text`, which has no more.
+fn ascii(text: &[u8], count: usize) -> Result<TextNumbers, Unusable> {
+    let mut numbers = TextNumbers::new(count, text.len());
+    for word in text.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty()) {
+        if numbers.is_full() {
+            return Err(Unusable::numbers(format!("there are more than {}", counted(count, "number"))));
+        }
+        numbers.push(word);
+    }
+    Ok(numbers)
 }

@@ -3,6 +3,7 @@
 use super::appended::Packing;
 use crate::io::error::{Parsed, Problem, shown};
 use crate::io::numbers::{Endian, Stored};
+use crate::io::table::{Unusable, fill_empty_names};
 use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
 use std::borrow::Cow;
@@ -27,9 +28,14 @@ pub(super) struct Piece<'a> {
 
 /// A `DataArray` element.
 pub(super) struct DataArray<'a> {
+    /// The name; one is made up where there is none.
     pub name: String,
-    /// `None` for texts.
-    pub stored: Option<Stored>,
+    pub form: Result<Form<'a>, Unusable>,
+}
+
+/// How the numbers of an array are stored, and where.
+pub(super) struct Form<'a> {
+    pub stored: Stored,
     pub components: usize,
     pub content: Content<'a>,
 }
@@ -41,7 +47,7 @@ pub(super) enum Content<'a> {
     Appended(usize),
 }
 
-/// What the parser stands in.
+/// The element that the parser is in.
 #[derive(Clone, Copy, PartialEq)]
 enum Section {
     Other,
@@ -97,6 +103,9 @@ pub(super) fn layout(bytes: &[u8]) -> Parsed<Layout<'_>> {
         }
     }
     parser.layout.offsets.sort_unstable();
+    for piece in &mut parser.layout.pieces {
+        fill_empty_names(piece.arrays.iter_mut().map(|array| &mut array.name).collect());
+    }
     Ok(parser.layout)
 }
 
@@ -163,8 +172,8 @@ impl<'a> Parser<'a> {
             "PointData" => self.section = Section::PointData,
             "DataArray" | "Array" => {
                 let array = data_array(tag)?;
-                self.layout.offsets.extend(match array.content {
-                    Content::Appended(offset) => Some(offset),
+                self.layout.offsets.extend(match array.form {
+                    Ok(Form { content: Content::Appended(offset), .. }) => Some(offset),
                     _ => None,
                 });
                 self.open = Some((array, 0));
@@ -194,8 +203,8 @@ impl<'a> Parser<'a> {
 
     /// Text of the open array itself, not of elements within it.
     fn text(&mut self, text: Cow<'a, str>) {
-        let Some((array, 0)) = &mut self.open else { return };
-        if let Content::Ascii(content) | Content::Base64(content) = &mut array.content {
+        let Some((DataArray { form: Ok(form), .. }, 0)) = &mut self.open else { return };
+        if let Content::Ascii(content) | Content::Base64(content) = &mut form.content {
             if content.trim_ascii().is_empty() {
                 *content = text;
             } else if !text.trim_ascii().is_empty() {
@@ -223,27 +232,37 @@ impl<'a> Parser<'a> {
 
 fn data_array<'a>(tag: &BytesStart<'_>) -> Result<DataArray<'a>, String> {
     let name = attribute(tag, "Name")?.unwrap_or_default().into_owned();
-    let kind = attribute(tag, "type")?.unwrap_or_default();
-    let stored = match &*kind {
-        "Int8" => Some(Stored::I8),
-        "UInt8" => Some(Stored::U8),
-        "Int16" => Some(Stored::I16),
-        "UInt16" => Some(Stored::U16),
-        "Int32" => Some(Stored::I32),
-        "UInt32" => Some(Stored::U32),
-        "Int64" => Some(Stored::I64),
-        "UInt64" => Some(Stored::U64),
-        "Float32" => Some(Stored::F32),
-        "Float64" => Some(Stored::F64),
-        "Bit" => Some(Stored::Bit),
-        "String" => None,
-        other => return Err(format!("array `{name}`: type {} is unknown", shown(other.as_bytes()))),
+    let form = match &*attribute(tag, "type")?.unwrap_or_default() {
+        "String" => Err(Unusable::other("texts where numbers are expected")),
+        kind => form(tag, kind).map_err(Unusable::numbers),
+    };
+    Ok(DataArray { name, form })
+}
+
+fn form<'a>(tag: &BytesStart<'_>, kind: &str) -> Result<Form<'a>, String> {
+    let stored = match kind {
+        "Int8" => Stored::I8,
+        "UInt8" => Stored::U8,
+        "Int16" => Stored::I16,
+        "UInt16" => Stored::U16,
+        "Int32" => Stored::I32,
+        "UInt32" => Stored::U32,
+        "Int64" => Stored::I64,
+        "UInt64" => Stored::U64,
+        "Float32" => Stored::F32,
+        "Float64" => Stored::F64,
+        "Bit" => Stored::Bit,
+        other => return Err(format!("the type {} is unknown", shown(other.as_bytes()))),
     };
     let content = match attribute(tag, "format")?.as_deref() {
         None | Some("ascii") => Content::Ascii(Cow::Borrowed("")),
         Some("binary") => Content::Base64(Cow::Borrowed("")),
         Some("appended") => Content::Appended(count(tag, "offset", None)?),
-        Some(other) => return Err(format!("array `{name}`: format {} is unknown", shown(other.as_bytes()))),
+        Some(other) => return Err(format!("the format {} is unknown", shown(other.as_bytes()))),
     };
-    Ok(DataArray { name, stored, components: count(tag, "NumberOfComponents", Some(1))?, content })
+    let components = count(tag, "NumberOfComponents", Some(1))?;
+    if components == 0 {
+        return Err("no numbers a point, where one or more are expected".to_owned());
+    }
+    Ok(Form { stored, components, content })
 }

@@ -1,0 +1,7 @@
+//! Particle files: read back what was written; files at fault, and what every error says.
+
+mod damage;
+mod round_trip;
+mod support;
+mod unused;
+mod words;
