@@ -154,4 +154,23 @@ pub trait Accumulator<T>: Copy + Send {
     fn add(&mut self, term: T);
     /// The sum, rounded or saturated to T once.
     fn total(self) -> T;
+
+    /// a · b · sum. Only the result has to be in the range of T: neither the sum nor a · b needs to be.
+    ///
+    /// The form given here serves types whose products and sums tell when they leave the range, and returns what is not
+    /// finite as it is. A sum that is wider than T multiplies before it is narrowed.
+    #[inline(always)]
+    fn scaled_total(self, a: T, b: T) -> T
+    where
+        T: Scalar,
+    {
+        let (factor, total) = (a * b, self.total());
+        if !factor.is_finite() {
+            factor
+        } else if !total.is_finite() {
+            total
+        } else {
+            factor * total
+        }
+    }
 }
