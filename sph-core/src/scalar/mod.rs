@@ -10,7 +10,8 @@
 //! | `Fast32` | `fast`, feature `micromath` | micromath's approximations, errors documented |
 //! | `Fixed` over the types of the `fixed` crate | `fixed`, feature `fixed` | integer square root |
 //!
-//! A new scalar is one file that implements both traits.
+//! A new scalar is one file that implements both traits and its line in [`for_each_scalar`](crate::for_each_scalar); a new
+//! fixed-point format is one line in `for_each_format`. The command, the laws and the other tests take them from there.
 
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
@@ -21,6 +22,78 @@ pub mod fast;
 #[cfg(feature = "fixed")]
 pub mod fixed;
 pub mod float;
+
+/// Calls a macro with the list of the scalars: variant name, type and description of each, and then with what follows `;`. What
+/// the features `micromath` and `fixed` bring is in it where they are on. [`Scalar::NAME`] is the name that users write.
+///
+/// ```
+/// use sph_core::Scalar;
+/// macro_rules! names {
+///     ([$($Name:ident: $Scalar:ty, $about:tt;)+]) => { [$(<$Scalar as Scalar>::NAME),+] };
+/// }
+/// assert_eq!(sph_core::for_each_scalar!(names)[..2], ["f64", "f32"]);
+/// ```
+#[macro_export]
+macro_rules! for_each_scalar {
+    ($($callback:tt)::+ $(; $($context:tt)*)?) => {
+        $crate::__with_fast_scalars! {
+            ($($callback)::+) ($($($context)*)?)
+            F64: f64, "64-bit floating point";
+            F32: f32, "32-bit floating point";
+        }
+    };
+}
+
+#[cfg(feature = "micromath")]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __with_fast_scalars {
+    ($callback:tt $context:tt $($list:tt)*) => {
+        $crate::__with_fixed_scalars! {
+            $callback $context $($list)*
+            Fast32: $crate::scalar::fast::Fast32, "32-bit floating point with micromath's approximations";
+        }
+    };
+}
+
+#[cfg(not(feature = "micromath"))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __with_fast_scalars {
+    ($($list:tt)*) => { $crate::__with_fixed_scalars! { $($list)* } };
+}
+
+#[cfg(feature = "fixed")]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __with_fixed_scalars {
+    ($callback:tt $context:tt $($list:tt)*) => {
+        $crate::for_each_format! { $crate::__with_all_scalars; $callback $context $($list)* }
+    };
+}
+
+#[cfg(not(feature = "fixed"))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __with_fixed_scalars {
+    ($($list:tt)*) => { $crate::__with_all_scalars! { [] $($list)* } };
+}
+
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __with_all_scalars {
+    (
+        [$($Format:ident $name:tt $about:tt;)*] ($($callback:tt)+) ($($context:tt)*) $($list:tt)*
+    ) => {
+        $($callback)+! {
+            [
+                $($list)*
+                $($Format: $crate::scalar::fixed::Saturating<$crate::scalar::fixed::$Format>, $about;)*
+            ]
+            $($context)*
+        }
+    };
+}
 
 /// What a kernel's polynomial needs of a number or of an array of lanes.
 ///

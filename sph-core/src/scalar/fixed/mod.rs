@@ -58,7 +58,7 @@ use crate::{Arithmetic, Scalar};
 use binary64::Units;
 use core::cmp::Ordering;
 use core::marker::PhantomData;
-pub use format::{Format, I4F12, I4F28, I8F24, I12F20, I16F16, I16F48, I20F12, I32F32};
+pub use format::*; // the trait and all formats
 pub use mode::{Check, Overflow, Saturate, Wide, Wrap};
 pub use near::Near14;
 pub use packed::Packed14;
