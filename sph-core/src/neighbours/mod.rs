@@ -45,8 +45,8 @@ pub struct Neighbour<T, const D: usize> {
 }
 
 impl<T: Scalar, const D: usize> Neighbour<T, D> {
-    /// The neighbour at `position`, if |x − x_j|² < `radius_squared`, squares and sum in T: the one place where that is decided.
-    /// Squares that overflow or vanish in T decide too: f32 sees nothing within 10⁻³⁰, not even the sample at x.
+    /// The neighbour at `position`, if |x − x_j|² < `radius_squared`, squares and sum in T: what the searches of
+    /// this module decide by. Squares that overflow or vanish in T decide too: f32 sees nothing within 10⁻³⁰, not even the sample at x.
     #[inline(always)]
     pub fn within(index: usize, x: &[T; D], position: &[T; D], radius_squared: T) -> Option<Self> {
         let offset = sub(x, position);

@@ -23,7 +23,7 @@ pub use mask::Mask;
 pub use open_box::OpenBox;
 pub use shape::Shape;
 
-use crate::scalar::compact::{Compact, Near};
+use crate::scalar::compact::{Compact, NearUnit};
 
 /// What the walls do at one place.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,7 +34,7 @@ pub struct Wall<N, const D: usize> {
     pub push: [N; D],
 }
 
-impl<N: Near, const D: usize> Wall<N, D> {
+impl<N: NearUnit, const D: usize> Wall<N, D> {
     /// One plane wall at distance d along the unit `normal` that points into the fluid.
     #[inline(always)]
     pub fn plane(d: N, normal: [N; D]) -> Option<Self> {
@@ -43,7 +43,7 @@ impl<N: Near, const D: usize> Wall<N, D> {
         }
         let d = d.positive_part();
         let push = half_space::push::<N, D>(d);
-        Some(Self { share: half_space::share::<N, D>(d), push: normal.map(|along| along.evenly(push)) })
+        Some(Self { share: half_space::share::<N, D>(d), push: normal.map(|along| along.mul_rounded(push)) })
     }
 }
 

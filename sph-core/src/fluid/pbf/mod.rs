@@ -28,10 +28,11 @@
 mod borrowed;
 mod particle;
 mod step;
+mod tuning;
 
 use crate::fluid::Container;
 use crate::neighbours::Index;
-use crate::scalar::compact::{Compact, Near, Pack};
+use crate::scalar::compact::{Compact, NearUnit, Pack};
 use crate::{Arithmetic, Error, Parameter};
 pub use borrowed::{BorrowedFluid, Pass};
 pub use particle::Particle;
@@ -195,7 +196,8 @@ impl<T: Compact, C, I: Index, const D: usize, const CAP: usize, const CELLS: usi
         for particle in self.particles.iter_mut().take(len) {
             let change = impulse(particle);
             let velocity = particle.velocity.unpack();
-            let after = |axis: usize| (velocity[axis] + near_held(change[axis], (1, 1))).held(T::Near::ONE);
+            let after =
+                |axis: usize| (velocity[axis] + clamp_to_near(change[axis], (1, 1))).clamp_abs(T::Near::ONE);
             particle.velocity = Pack::pack(core::array::from_fn(after));
         }
     }
@@ -264,9 +266,9 @@ fn ratio<N: Arithmetic>((numerator, denominator): (i32, i32)) -> N {
     N::ratio(numerator, denominator)
 }
 
-/// Any number, held at ±`limit` ≤ 1; NaN becomes 0.
+/// Clamps a number to ±`limit` ≤ 1, as its companion; NaN becomes 0.
 #[inline(always)]
-fn near_held<T: Compact>(value: T, limit: (i32, i32)) -> T::Near {
+fn clamp_to_near<T: Compact>(value: T, limit: (i32, i32)) -> T::Near {
     let value = if value > T::ONE {
         T::ONE
     } else if value >= -T::ONE {
@@ -276,5 +278,5 @@ fn near_held<T: Compact>(value: T, limit: (i32, i32)) -> T::Near {
     } else {
         T::ZERO
     };
-    value.near().held(ratio(limit))
+    value.near().clamp_abs(ratio(limit))
 }

@@ -42,6 +42,7 @@
 //! ```
 
 mod binary64;
+mod compact;
 mod format;
 mod mode;
 mod near;
