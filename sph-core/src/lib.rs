@@ -25,7 +25,10 @@
 //!
 //! Lengths may be in any unit L, masses in any unit M. Types of a small range want lengths near h and densities near 1.
 //!
-//! On real microcontrollers: [`hardware`], from a `static` to the probe.
+//! # Pages
+//!
+//! On real microcontrollers: [`hardware`], from a `static` to the probe. How fast the sums converge, measured: [`convergence`]. How
+//! to use the fluid for pendants: [`fluid::guide`].
 //!
 //! # Features
 //!
@@ -41,6 +44,8 @@ pub mod difference;
 pub mod error;
 pub mod field;
 pub mod fluid;
+#[doc = include_str!("../docs/convergence.md")]
+pub mod convergence {}
 #[doc = include_str!("../docs/hardware.md")]
 pub mod hardware {}
 pub mod influence;

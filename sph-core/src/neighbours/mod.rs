@@ -66,6 +66,40 @@ impl<T: Scalar, const D: usize> Neighbour<T, D> {
 /// assert_eq!(found, [true, true, false]);
 /// # Ok::<(), sph_core::Error>(())
 /// ```
+///
+/// The smallest one of your own. [`Neighbour::within`] decides as the searches of this crate do:
+///
+/// ```
+/// use sph_core::{KernelInfluence, Neighbour, Neighbours, Scalar, Sources, Uniform, kernel::WendlandC2};
+///
+/// /// Samples on a line, in ascending order.
+/// #[derive(Clone, Copy)]
+/// struct Sorted<'a, T>(&'a [[T; 1]]);
+///
+/// impl<T: Scalar> Neighbours<T, 1> for Sorted<'_, T> {
+///     fn positions(&self) -> &[[T; 1]] {
+///         self.0
+///     }
+///     fn for_each(&self, x: &[T; 1], radius: T, mut visit: impl FnMut(Neighbour<T, 1>)) {
+///         if radius > T::ZERO {
+///             let first = self.0.partition_point(|position| position[0] <= x[0] - radius);
+///             for (j, position) in self.0.iter().enumerate().skip(first) {
+///                 match Neighbour::within(j, x, position, radius * radius) {
+///                     Some(neighbour) => visit(neighbour),
+///                     None if position[0] > x[0] => break,
+///                     None => {}
+///                 }
+///             }
+///         }
+///     }
+/// }
+///
+/// let sources = Sources::new(Sorted(&[[0.0_f64], [0.3], [0.4], [2.0]]), Uniform(1.0))?;
+/// assert_eq!(sources.positions().len(), 4);
+/// let w = KernelInfluence::<f64, 1, WendlandC2>::new(0.5)?;
+/// assert_eq!(sources.density_at(&w, &[2.0]), w.normalisation());
+/// # Ok::<(), sph_core::Error>(())
+/// ```
 pub trait Neighbours<T: Scalar, const D: usize> {
     /// The samples' positions x_j.
     fn positions(&self) -> &[[T; D]];

@@ -149,6 +149,69 @@ pub trait Arithmetic:
 }
 
 /// One real number: [`Arithmetic`] with comparison, roots and conversions.
+///
+/// The smallest one of your own: an f64 that counts the multiplications of a computation. It has the operators of f64, the constants
+/// and conversions below, and a running sum.
+///
+/// ```
+/// use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
+/// use sph_core::{Accumulator, Arithmetic, BruteForce, KernelInfluence, Scalar, Sources, Uniform, kernel::Poly6};
+/// use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
+///
+/// static PRODUCTS: AtomicU32 = AtomicU32::new(0);
+///
+/// #[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
+/// struct Counted(f64);
+///
+/// impl Add for Counted { type Output = Self; fn add(self, other: Self) -> Self { Self(self.0 + other.0) } }
+/// impl Sub for Counted { type Output = Self; fn sub(self, other: Self) -> Self { Self(self.0 - other.0) } }
+/// impl Div for Counted { type Output = Self; fn div(self, other: Self) -> Self { Self(self.0 / other.0) } }
+/// impl Neg for Counted { type Output = Self; fn neg(self) -> Self { Self(-self.0) } }
+/// impl AddAssign for Counted { fn add_assign(&mut self, other: Self) { self.0 += other.0 } }
+/// impl SubAssign for Counted { fn sub_assign(&mut self, other: Self) { self.0 -= other.0 } }
+/// impl Mul for Counted {
+///     type Output = Self;
+///     fn mul(self, other: Self) -> Self {
+///         PRODUCTS.fetch_add(1, Relaxed);
+///         Self(self.0 * other.0)
+///     }
+/// }
+///
+/// impl Arithmetic for Counted {
+///     const ZERO: Self = Self(0.0);
+///     const ONE: Self = Self(1.0);
+///     fn ratio(numerator: i32, denominator: i32) -> Self { Self(Arithmetic::ratio(numerator, denominator)) }
+///     fn positive_part(self) -> Self { Self(self.0.positive_part()) }
+///     fn times(self, n: i32) -> Self { Self(self.0.times(n)) }
+/// }
+///
+/// impl Scalar for Counted {
+///     type Sum = Self;
+///     const NAME: &'static str = "counted";
+///     const EPSILON: Self = Self(f64::EPSILON);
+///     const MAX: Self = Self(f64::MAX);
+///     fn from_f64(value: f64) -> Self { Self(value) }
+///     fn to_f64(self) -> f64 { self.0 }
+///     fn sqrt(self) -> Self { Self(Scalar::sqrt(self.0)) }
+///     fn is_finite(self) -> bool { self.0.is_finite() }
+///     fn floor_to_i32(self) -> i32 { self.0.floor_to_i32() }
+///     fn canonical_bits(self) -> u64 { self.0.canonical_bits() }
+/// }
+///
+/// impl Accumulator<Counted> for Counted {
+///     const ZERO: Self = Self(0.0);
+///     fn add(&mut self, term: Counted) { self.0 += term.0 }
+///     fn total(self) -> Counted { self }
+/// }
+///
+/// let sources = Sources::new(BruteForce::open(&[[Counted(0.1); 2]; 10])?, Uniform(Counted(1.0)))?;
+/// let w = KernelInfluence::<Counted, 2, Poly6>::new(Counted(1.0))?;
+/// let before = PRODUCTS.load(Relaxed);
+/// sources.density_at(&w, &[Counted(0.0); 2]);
+/// // two for the distance, one for q², two for the cube, one for σ and one for the mass
+/// assert_eq!(PRODUCTS.load(Relaxed) - before, 10 * 7 + 1); // and the square of the radius
+/// # Ok::<(), sph_core::Error>(())
+/// ```
 pub trait Scalar: Arithmetic + PartialOrd + Default + Debug + Send + Sync + 'static {
     /// What a sum over neighbours is gathered in: wider than the type where the type is narrow.
     type Sum: Accumulator<Self>;

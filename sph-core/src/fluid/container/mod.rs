@@ -55,6 +55,37 @@ pub const GAP: (i32, i32) = (1, 8);
 /// Your own needs all four methods; [`Shape`] makes one from a signed distance. Places are given as the fluid keeps them, in
 /// [`Compact::Near`]: floats as they are, fixed-point numbers in counts of 2^−14 ([`Compact::from_near`] has the scalar). The
 /// fluid trusts `confine`: what it returns must be inside, whatever it is given, NaN included.
+///
+/// The smallest one: a box in f32 and two dimensions whose floor alone is a wall that presses; at its other sides, particles stop.
+///
+/// ```
+/// use sph_core::fluid::{Container, Particle, PositionBasedFluid, Wall};
+///
+/// struct Tray;
+///
+/// impl Container<f32, 2> for Tray {
+///     fn size(&self) -> [f32; 2] {
+///         [4.0, 4.0]
+///     }
+///     fn contains(&self, x: &[f32; 2]) -> bool {
+///         x.iter().all(|coordinate| (0.0..=4.0).contains(coordinate))
+///     }
+///     fn wall(&self, x: &[f32; 2]) -> Option<Wall<f32, 2>> {
+///         Wall::plane(x[1], [0.0, 1.0])
+///     }
+///     fn confine(&self, from: &[f32; 2], to: [f32; 2], _gap: f32) -> [f32; 2] {
+///         // NaN is not in the range either
+///         core::array::from_fn(|axis| if (0.0..=4.0).contains(&to[axis]) { to[axis] } else { from[axis] })
+///     }
+/// }
+///
+/// let mut fluid = PositionBasedFluid::<f32, Tray, 2, 1, 25>::new(Tray);
+/// fluid.add(Particle::new([2.0, 3.0], [0.0, 0.0])).unwrap();
+/// for _ in 0..100 {
+///     fluid.step([0.0, -0.005]);
+/// }
+/// assert!(fluid.particles()[0].position()[1] < 1.0);
+/// ```
 pub trait Container<T: Compact, const D: usize> {
     /// The upper corner of the box from 0 that the container lies in.
     fn size(&self) -> [T; D];
