@@ -1,4 +1,4 @@
-//! Fluids that move: what a solver adds to kernels, searches and fields.
+//! Solvers that move particles, over the kernels, searches and fields of the other modules.
 //!
 //! | | for | walls |
 //! |---|---|---|

@@ -1,7 +1,7 @@
 //! Which samples lie within a radius of a point.
 //!
-//! A search visits every sample j with |x − x_j| < radius, each exactly once (each image once, on periodic axes), and in
-//! an order that is its documented own: sums taken in that order have the same bits everywhere. The sample at x itself is
+//! A search visits every sample j with |x − x_j| < radius, each exactly once (each image once, on periodic axes), in the
+//! order that it documents: sums taken in that order have the same bits everywhere. The sample at x itself is
 //! visited like any other, with offset 0: densities include it, and gradients vanish there.
 //!
 //! | search | order | cost of a query | storage |

@@ -1,6 +1,6 @@
 //! Numbers near 1 for the pairs of particles of a real-time solver: half the memory, and a product in one machine word.
 //!
-//! Within reach of each other everything is small: offsets in units of h, weights and displacements a frame. A float is
+//! For particles within reach of each other all numbers are small: offsets in units of h, weights and displacements a frame. A float is
 //! its own [`NearUnit`]. A fixed-point number becomes an integer count of 2^−14 that is stored in 16 bits and multiplied in 32,
 //! where a product of its own format takes a 64-bit one: some fifty instructions on a processor without it.
 

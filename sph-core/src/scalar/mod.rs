@@ -1,4 +1,4 @@
-//! The numbers: what the mathematics asks of them, and nothing more.
+//! The number types, and the operations that the mathematics needs of them.
 //!
 //! Two traits, because two kinds of number run through the same source. [`Arithmetic`] is what a kernel needs: no
 //! comparison that yields a `bool`, so an array of SIMD lanes satisfies it as well as one number does. [`Scalar`] adds

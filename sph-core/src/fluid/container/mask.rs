@@ -1,4 +1,4 @@
-//! A bitmap as container.
+//! A container from a bitmap.
 
 use super::{Container, Wall, half_space, hold};
 use crate::scalar::compact::{Compact, NearUnit};

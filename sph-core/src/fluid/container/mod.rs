@@ -1,7 +1,7 @@
-//! What holds a fluid of particles: walls that press, though they are made of nothing.
+//! Containers of a fluid: walls that press without wall particles.
 //!
 //! A wall is treated as more fluid at rest behind it. Near one, a particle's kernel reaches into it by a known share, so its
-//! density is right without a single wall particle; and the wall pushes as that fluid would under the same pressure. See
+//! density is right without wall particles; and the wall pushes as that fluid would under the same pressure. See
 //! [`half_space`]. Lengths are in units of the support radius h, and a container lies in the box from 0 to
 //! [`size`](Container::size).
 //!

@@ -11,11 +11,9 @@
 //! is sharper than poly6's own gradient, so that no root is needed; its strength has a constant denominator κ. Closer than
 //! 0.8 spacings a repulsion is added that does not depend on pressure: particles never pair up. A part of the pressure is kept
 //! from pass to pass, which halves what is left of the compression under the fluid's own weight. XSPH viscosity is part of the
-//! first pass. In three dimensions 3.05 is 4.96, κ is 0.85 and 1.6 is 1.5. Every pair's push is computed once and applied with both signs, so momentum is conserved: to rounding in floats,
-//! exactly in fixed point.
-//!
-//! Chosen by measurement: 3.05 (the kernel's own constant is π) makes up for the surface, which any such solver compresses; a wall
-//! that pushed back with the full 2 p G of its mirror image would make the fluid tremble at rest.
+//! first pass. In three dimensions 3.05 is 4.96, κ is 0.85 and 1.6 is 1.5; these numbers were chosen by measurement, which `tuning.rs`
+//! lists. Every pair's push is computed once and applied with both signs, so momentum is conserved: to rounding in floats, exactly in
+//! fixed point.
 //!
 //! The unit of length is the support radius h, the particles' spacing at rest is h/2, and time counts in frames. A fixed-point
 //! scalar's positions are kept as counts of 2⁻¹⁴ in 32 bits, velocities, pushes and pressures in 16

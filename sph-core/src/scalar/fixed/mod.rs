@@ -1,4 +1,4 @@
-//! Fixed point over the types of the `fixed` crate, with the answer to overflow chosen by type.
+//! Fixed point over the types of the `fixed` crate; a type parameter says what overflow does.
 //!
 //! A number is an integer count of 2^−FRAC. [`Saturating<I16F16>`](Saturating), [`Wrapping<I8F24>`](Wrapping) and
 //! [`Checked<I32F32>`](Checked) are all a [`Fixed`]; each is as large as the integer in it, and none ever panics.
