@@ -8,24 +8,18 @@ use sph_core::{
     Uniform,
 };
 
-#[path = "../../sph-core/examples/field.rs"]
-mod field;
 #[path = "../../sph-core/examples/own_container.rs"]
 mod own_container;
 #[path = "../../sph-core/examples/own_kernel.rs"]
 mod own_kernel;
 #[path = "../../sph-core/examples/own_scalar.rs"]
 mod own_scalar;
-#[path = "../../sph-core/examples/pendant.rs"]
-mod pendant;
 
 #[test]
 fn examples_hold() {
-    field::main().unwrap();
     own_kernel::main().unwrap();
     own_container::main().unwrap();
     own_scalar::main().unwrap();
-    pendant::main().unwrap();
 }
 
 /// A search that looks at every second sample first, then at the others: any order will do for a sum.
