@@ -1,4 +1,4 @@
-//! The questions every constructor asks of its arguments.
+//! Checks of constructors' arguments.
 
 use crate::{Error, Parameter, Scalar};
 

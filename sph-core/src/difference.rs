@@ -12,6 +12,7 @@ use crate::{Accumulator, Scalar};
 
 /// f⁽ⁿ⁾(x) with the step s: (2s)^{-n} Σ (−1)^k C(n, k) f(x + (n − 2k) s), summed from k = 0 on; n = 0 gives f(x).
 ///
+/// Where a term C(n, k) f is not finite, because f is not or a narrow type's range ends, so is the result.
 /// Units of f per unit of x to the n. n beyond 30 overflows the binomial coefficients' type: they are held there.
 ///
 /// ```
@@ -25,6 +26,9 @@ pub fn nth<T: Scalar>(f: impl Fn(T) -> T, n: u32, x: T, step: T) -> T {
     for k in 0..=n {
         let coefficient = binomial.min(i32::MAX as i64) as i32;
         let term = f(x + step.times(n as i32 - 2 * k as i32)).times(coefficient);
+        if !term.is_finite() {
+            return term; // held at the end of a narrow type's range, a sum of both signs would hide it
+        }
         sum.add(if k % 2 == 0 { term } else { -term });
         binomial = binomial.saturating_mul((n - k) as i64) / (k as i64 + 1);
     }

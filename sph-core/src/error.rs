@@ -1,4 +1,4 @@
-//! What can be wrong with the arguments of a constructor, said in one small [`Copy`] value.
+//! What is wrong with the arguments of a constructor, in one small [`Copy`] value.
 //!
 //! Only constructors and whole-set operations return an [`Error`]; inner loops cannot fail.
 

@@ -25,6 +25,34 @@ use crate::vector::norm_squared;
 /// Ω and ∇Ω for one support radius: what every sum over neighbours is weighted with.
 ///
 /// The distance comes as its square, because searches know that and some kernels need no more.
+///
+/// The smallest one of your own, for what is no [`Kernel`](crate::kernel::Kernel); all sums take it:
+///
+/// ```
+/// use sph_core::{BruteForce, Influence, Sources, Uniform};
+///
+/// /// (1 − |x|²)², in two dimensions and f32; ∫ = π/3.
+/// struct Bell;
+///
+/// impl Influence<f32, 2> for Bell {
+///     fn support_radius(&self) -> f32 {
+///         1.0
+///     }
+///     fn influence(&self, distance_squared: f32) -> f32 {
+///         let t = (1.0 - distance_squared).max(0.0);
+///         3.0 / core::f32::consts::PI * t * t
+///     }
+///     fn gradient(&self, x: &[f32; 2], distance_squared: f32) -> [f32; 2] {
+///         let t = (1.0 - distance_squared).max(0.0);
+///         x.map(|component| -12.0 / core::f32::consts::PI * t * component)
+///     }
+/// }
+///
+/// let sources = Sources::new(BruteForce::new(&[[0.0_f32, 0.0], [0.5, 0.0]])?, Uniform(1.0))?;
+/// let (density, gradient) = sources.density_gradient_at(&Bell, &[0.25, 0.0]);
+/// assert!((density - 2.0 * Bell.influence(0.0625)).abs() < 1e-6 && gradient == [0.0, 0.0]);
+/// # Ok::<(), sph_core::Error>(())
+/// ```
 pub trait Influence<T: Scalar, const D: usize> {
     /// h: Ω(x) = 0 for |x| ≥ h. Unit L.
     fn support_radius(&self) -> T;

@@ -3,7 +3,7 @@
 //! A field known at scattered samples becomes a function that can be asked for its value and gradient anywhere. The tour,
 //! in the order of the mathematics (*FLUISIM: Smoothed Particle Hydrodynamics*, R. E. Fry, 2025):
 //!
-//! 1. [`kernel`]: what a smoothing kernel is, as a shape f(q) on [0, 1], and nine of them (Defs. 1.1, 1.2, Ex. 1.3).
+//! 1. [`kernel`]: what a smoothing kernel is, as a shape f(q) on [0, 1], and [those there are](kernel::LIST) (Defs. 1.1, 1.2, Ex. 1.3).
 //! 2. [`ball`]: the N-ball, whose shells normalise a kernel in N dimensions (Def. 2.1).
 //! 3. [`influence`]: Ω and ∇Ω for a support radius h (Defs. 2.2, 2.3, Thm 2.4), with the paper's erratum.
 //! 4. [`neighbours`]: which samples a sum has to look at, by brute force or in cells, in open or periodic space.
@@ -25,7 +25,10 @@
 //!
 //! Lengths may be in any unit L, masses in any unit M. Types of a small range want lengths near h and densities near 1.
 //!
-//! On real microcontrollers: [`hardware`], from a `static` to the probe.
+//! # Pages
+//!
+//! On real microcontrollers: [`hardware`], from a `static` to the probe. How fast the sums converge, measured: [`convergence`]. How
+//! to use the fluid for pendants: [`fluid::guide`].
 //!
 //! # Features
 //!
@@ -41,6 +44,8 @@ pub mod difference;
 pub mod error;
 pub mod field;
 pub mod fluid;
+#[doc = include_str!("../docs/convergence.md")]
+pub mod convergence {}
 #[doc = include_str!("../docs/hardware.md")]
 pub mod hardware {}
 pub mod influence;

@@ -11,10 +11,7 @@ use sph_core::fluid::{
     Settings, Shape, Wall,
 };
 use sph_core::kernel::conformance::{Law, Violation};
-use sph_core::kernel::{
-    CubicSpline, Poly6, QuarticSpline, QuinticSpline, Spiky, Tabulated, Term, Viscosity, ViscosityLaplacian,
-    WendlandC2, WendlandC4, WendlandC6,
-};
+use sph_core::kernel::{self, Tabulated, Term, ViscosityLaplacian, WendlandC2};
 use sph_core::{
     Axis, BruteForce, CellGrid, CellLayout, CellOrder, ClosureInfluence, Domain, Error, Field,
     InlineCellGrid, KernelInfluence, Neighbour, NeighbourList, Open, Parameter, PerSampleInfluence, Sources,
@@ -39,16 +36,7 @@ can_be_logged!(
     Law,
     Violation,
     Term,
-    Poly6,
-    Spiky,
-    Viscosity,
     ViscosityLaplacian<T, 2>,
-    CubicSpline,
-    QuarticSpline,
-    QuinticSpline,
-    WendlandC2,
-    WendlandC4,
-    WendlandC6,
     Tabulated<WendlandC2, 65>,
     KernelInfluence<T, 2, WendlandC2>,
     PerSampleInfluence<'static, T, 2, WendlandC2>,
@@ -71,6 +59,16 @@ can_be_logged!(
     LinearBasis<T, 2>,
     LinearFit<T, 2>,
 );
+
+macro_rules! every_kernel_can_be_logged {
+    ([$($module:ident $Kernel:ident $name:tt $about:tt;)+]) => { can_be_logged!($(kernel::$Kernel),+); };
+}
+sph_core::for_each_kernel!(every_kernel_can_be_logged);
+
+macro_rules! every_scalar_can_be_logged {
+    ([$($Name:ident: $Scalar:ty, $about:tt;)+]) => { can_be_logged!($($Scalar),+); };
+}
+sph_core::for_each_scalar!(every_scalar_can_be_logged);
 
 type SignedDistance = fn(&[T; 2]) -> (T, [T; 2]);
 
@@ -102,22 +100,16 @@ can_be_logged!(
 
 #[cfg(feature = "fixed")]
 mod fixed_point {
-    use sph_core::scalar::fixed::{
-        Check, Checked, I16F16, Near14, Packed14, Saturate, Saturating, Sum, Wrap, Wrapping,
-    };
+    use sph_core::scalar::fixed::{Check, Checked, I16F16, Near14, Packed14, Saturate, Sum, Wrap, Wrapping};
 
     can_be_logged!(
         Wrap,
         Saturate,
         Check,
         Wrapping<I16F16>,
-        Saturating<I16F16>,
         Checked<I16F16>,
         Sum<I16F16, Check>,
         Near14,
         Packed14<2>,
     );
 }
-
-#[cfg(feature = "micromath")]
-can_be_logged!(sph_core::scalar::fast::Fast32);

@@ -4,89 +4,49 @@ use clap::ValueEnum;
 use sph_core::kernel::{self, Kernel};
 use sph_core::{Error, Influence, InfluenceOf, KernelInfluence, Scalar};
 
-/// A kernel as the command line names it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum KernelName {
-    /// (1 − q²)³, Müller et al. 2003
-    Poly6,
-    /// (1 − q)³, Müller et al. 2003
-    Spiky,
-    /// for viscosity forces, Müller et al. 2003: diverges at r = 0
-    Viscosity,
-    /// B-spline M₄
-    CubicSpline,
-    /// B-spline M₅
-    QuarticSpline,
-    /// B-spline M₆
-    QuinticSpline,
-    /// Wendland's function C2
-    WendlandC2,
-    /// Wendland's function C4
-    WendlandC4,
-    /// Wendland's function C6
-    WendlandC6,
+/// What follows from the list of kernels: [`KernelName`] and the variants of [`AnyInfluence`].
+macro_rules! choices {
+    ([$($module:ident $Kernel:ident $name:tt $about:tt;)+]) => {
+        /// A kernel as the command line names it.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+        pub enum KernelName {
+            $(#[doc = $about] #[value(name = $name)] $Kernel,)+
+        }
+
+        #[derive(Clone, Copy, Debug)]
+        enum Variant<T, const D: usize> {
+            $($Kernel(KernelInfluence<T, D, kernel::$Kernel>),)+
+        }
+
+        impl<T: Scalar, const D: usize> Variant<T, D> {
+            fn new(name: KernelName, support_radius: T) -> Result<Self, Error> {
+                Ok(match name {
+                    $(KernelName::$Kernel => Self::$Kernel(KernelInfluence::new(support_radius)?),)+
+                })
+            }
+        }
+    };
 }
+sph_core::for_each_kernel!(choices);
 
 /// Evaluates an expression with `K` standing for the kernel of a [`KernelName`].
 macro_rules! with_kernel {
-    ($name:expr, $K:ident => $body:expr) => {
+    ([$($module:ident $Kernel:ident $text:tt $about:tt;)+] $name:expr, $K:ident => $body:expr) => {
         match $name {
-            $crate::kernel_choice::KernelName::Poly6 => {
-                type $K = sph_core::kernel::Poly6;
+            $($crate::kernel_choice::KernelName::$Kernel => {
+                type $K = sph_core::kernel::$Kernel;
                 $body
-            }
-            $crate::kernel_choice::KernelName::Spiky => {
-                type $K = sph_core::kernel::Spiky;
-                $body
-            }
-            $crate::kernel_choice::KernelName::Viscosity => {
-                type $K = sph_core::kernel::Viscosity;
-                $body
-            }
-            $crate::kernel_choice::KernelName::CubicSpline => {
-                type $K = sph_core::kernel::CubicSpline;
-                $body
-            }
-            $crate::kernel_choice::KernelName::QuarticSpline => {
-                type $K = sph_core::kernel::QuarticSpline;
-                $body
-            }
-            $crate::kernel_choice::KernelName::QuinticSpline => {
-                type $K = sph_core::kernel::QuinticSpline;
-                $body
-            }
-            $crate::kernel_choice::KernelName::WendlandC2 => {
-                type $K = sph_core::kernel::WendlandC2;
-                $body
-            }
-            $crate::kernel_choice::KernelName::WendlandC4 => {
-                type $K = sph_core::kernel::WendlandC4;
-                $body
-            }
-            $crate::kernel_choice::KernelName::WendlandC6 => {
-                type $K = sph_core::kernel::WendlandC6;
-                $body
-            }
+            })+
         }
+    };
+    ($name:expr, $K:ident => $body:expr) => {
+        sph_core::for_each_kernel!($crate::kernel_choice::with_kernel; $name, $K => $body)
     };
 }
 
 pub(crate) use with_kernel;
 
 impl KernelName {
-    /// All kernels.
-    pub const ALL: &'static [Self] = &[
-        Self::Poly6,
-        Self::Spiky,
-        Self::Viscosity,
-        Self::CubicSpline,
-        Self::QuarticSpline,
-        Self::QuinticSpline,
-        Self::WendlandC2,
-        Self::WendlandC4,
-        Self::WendlandC6,
-    ];
-
     /// The name on the command line, such as `cubic-spline`.
     #[must_use]
     pub fn name(self) -> String {
@@ -137,72 +97,46 @@ pub struct AnyInfluence<T, const D: usize> {
     variant: Variant<T, D>,
 }
 
-#[derive(Clone, Copy, Debug)]
-enum Variant<T, const D: usize> {
-    Poly6(KernelInfluence<T, D, kernel::Poly6>),
-    Spiky(KernelInfluence<T, D, kernel::Spiky>),
-    CubicSpline(KernelInfluence<T, D, kernel::CubicSpline>),
-    QuarticSpline(KernelInfluence<T, D, kernel::QuarticSpline>),
-    QuinticSpline(KernelInfluence<T, D, kernel::QuinticSpline>),
-    WendlandC2(KernelInfluence<T, D, kernel::WendlandC2>),
-    WendlandC4(KernelInfluence<T, D, kernel::WendlandC4>),
-    WendlandC6(KernelInfluence<T, D, kernel::WendlandC6>),
-}
-
 impl<T: Scalar, const D: usize> AnyInfluence<T, D> {
     /// The influence of a kernel with support radius h.
     ///
     /// # Errors
     /// As [`KernelInfluence::new`].
     pub fn new(name: KernelName, support_radius: T) -> Result<Self, Error> {
-        let variant = match name {
-            KernelName::Poly6 => Variant::Poly6(KernelInfluence::new(support_radius)?),
-            KernelName::Spiky => Variant::Spiky(KernelInfluence::new(support_radius)?),
-            KernelName::Viscosity => return Err(Error::SingularKernel),
-            KernelName::CubicSpline => Variant::CubicSpline(KernelInfluence::new(support_radius)?),
-            KernelName::QuarticSpline => Variant::QuarticSpline(KernelInfluence::new(support_radius)?),
-            KernelName::QuinticSpline => Variant::QuinticSpline(KernelInfluence::new(support_radius)?),
-            KernelName::WendlandC2 => Variant::WendlandC2(KernelInfluence::new(support_radius)?),
-            KernelName::WendlandC4 => Variant::WendlandC4(KernelInfluence::new(support_radius)?),
-            KernelName::WendlandC6 => Variant::WendlandC6(KernelInfluence::new(support_radius)?),
-        };
-        Ok(Self { variant })
+        Ok(Self { variant: Variant::new(name, support_radius)? })
     }
 }
 
-macro_rules! each_variant {
-    ($self:ident, $w:ident => $body:expr) => {
-        match &$self.variant {
-            Variant::Poly6($w) => $body,
-            Variant::Spiky($w) => $body,
-            Variant::CubicSpline($w) => $body,
-            Variant::QuarticSpline($w) => $body,
-            Variant::QuinticSpline($w) => $body,
-            Variant::WendlandC2($w) => $body,
-            Variant::WendlandC4($w) => $body,
-            Variant::WendlandC6($w) => $body,
+/// Evaluates an expression with `w` standing for the influence in a [`Variant`].
+macro_rules! with_influence {
+    ([$($module:ident $Kernel:ident $name:tt $about:tt;)+] $variant:expr, $w:ident => $body:expr) => {
+        match $variant {
+            $(Variant::$Kernel($w) => $body,)+
         }
+    };
+    ($variant:expr, $w:ident => $body:expr) => {
+        sph_core::for_each_kernel!(with_influence; $variant, $w => $body)
     };
 }
 
 impl<T: Scalar, const D: usize> Influence<T, D> for AnyInfluence<T, D> {
     fn support_radius(&self) -> T {
-        each_variant!(self, w => w.support_radius())
+        with_influence!(&self.variant, w => w.support_radius())
     }
 
     #[inline(never)]
     fn influence(&self, distance_squared: T) -> T {
-        each_variant!(self, w => w.influence(distance_squared))
+        with_influence!(&self.variant, w => w.influence(distance_squared))
     }
 
     #[inline(never)]
     fn gradient(&self, x: &[T; D], distance_squared: T) -> [T; D] {
-        each_variant!(self, w => w.gradient(x, distance_squared))
+        with_influence!(&self.variant, w => w.gradient(x, distance_squared))
     }
 
     #[inline(never)]
     fn value_and_gradient(&self, x: &[T; D], distance_squared: T) -> (T, [T; D]) {
-        each_variant!(self, w => w.value_and_gradient(x, distance_squared))
+        with_influence!(&self.variant, w => w.value_and_gradient(x, distance_squared))
     }
 }
 
@@ -247,12 +181,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn names_are_those_of_the_command_line() {
-        let names: Vec<String> = KernelName::ALL.iter().map(|kernel| kernel.name()).collect();
-        assert_eq!(names[0], "poly6");
-        assert_eq!(names[3], "cubic-spline");
-        assert_eq!(names[8], "wendland-c6");
-        assert_eq!(KernelName::ALL.len(), KernelName::value_variants().len());
+    fn names_are_those_of_the_list() {
+        let names: Vec<String> = KernelName::value_variants().iter().map(|kernel| kernel.name()).collect();
+        let listed: Vec<&str> = kernel::LIST.iter().map(|(name, _)| *name).collect();
+        assert_eq!(names, listed);
+        assert!(names.iter().any(|name| name == "cubic-spline"));
+        let help = KernelName::Poly6.to_possible_value().unwrap();
+        assert_eq!(help.get_help().unwrap().to_string(), kernel::LIST[0].1);
     }
 
     #[test]

@@ -1,62 +1,46 @@
 //! The scalars by name.
 
 use clap::ValueEnum;
+use sph_core::Scalar;
 
-/// A number type as the command line names it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum ScalarName {
-    /// 64-bit floating point
-    F64,
-    /// 32-bit floating point
-    F32,
-    /// 32-bit floating point with micromath's approximations
-    Fast32,
-    /// fixed point, 16 integer and 16 fraction bits, saturating
-    I16f16,
-    /// fixed point, 8 integer and 24 fraction bits, saturating
-    I8f24,
-    /// fixed point, 4 integer and 28 fraction bits, saturating
-    I4f28,
-    /// fixed point, 32 integer and 32 fraction bits, saturating
-    I32f32,
+/// The enum of the listed scalars.
+macro_rules! choices {
+    ([$($Name:ident: $Scalar:ty, $about:tt;)+]) => {
+        /// A number type as the command line names it.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+        pub enum ScalarName {
+            $(#[doc = $about] #[value(name = <$Scalar as Scalar>::NAME)] $Name,)+
+        }
+    };
 }
+sph_core::for_each_scalar!(choices);
 
 /// Evaluates an expression with `T` standing for the type of a [`ScalarName`].
 macro_rules! with_scalar {
-    ($name:expr, $T:ident => $body:expr) => {{
-        use sph_core::scalar::fast::Fast32;
-        use sph_core::scalar::fixed::{I4F28, I8F24, I16F16, I32F32, Saturating};
-        use $crate::scalar_choice::ScalarName;
+    ([$($Name:ident: $Scalar:ty, $about:tt;)+] $name:expr, $T:ident => $body:expr) => {
         match $name {
-            ScalarName::F64 => {
-                type $T = f64;
+            $($crate::scalar_choice::ScalarName::$Name => {
+                type $T = $Scalar;
                 $body
-            }
-            ScalarName::F32 => {
-                type $T = f32;
-                $body
-            }
-            ScalarName::Fast32 => {
-                type $T = Fast32;
-                $body
-            }
-            ScalarName::I16f16 => {
-                type $T = Saturating<I16F16>;
-                $body
-            }
-            ScalarName::I8f24 => {
-                type $T = Saturating<I8F24>;
-                $body
-            }
-            ScalarName::I4f28 => {
-                type $T = Saturating<I4F28>;
-                $body
-            }
-            ScalarName::I32f32 => {
-                type $T = Saturating<I32F32>;
-                $body
-            }
+            })+
         }
-    }};
+    };
+    ($name:expr, $T:ident => $body:expr) => {
+        sph_core::for_each_scalar!($crate::scalar_choice::with_scalar; $name, $T => $body)
+    };
 }
 pub(crate) use with_scalar;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_those_of_the_types() {
+        for &scalar in ScalarName::value_variants() {
+            let shown = scalar.to_possible_value().unwrap();
+            assert_eq!(shown.get_name(), with_scalar!(scalar, T => T::NAME));
+            assert!(shown.get_help().is_some_and(|about| about.to_string().contains("point")));
+        }
+    }
+}

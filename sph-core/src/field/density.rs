@@ -54,8 +54,8 @@ impl<T: Scalar, const D: usize, N: Neighbours<T, D>, M: PerSample<T>> Sources<T,
 
 impl<T: Scalar, const D: usize, N: Neighbours<T, D>> Sources<T, D, N, Uniform<T>> {
     /// ρ(x) = m σ_D h^{-D} Σ f(|x − x_j|/h): [`density_at`](Self::density_at) for equal masses and one kernel, with what all
-    /// terms share outside the sum, so that a pair costs two multiplications less. Rounded otherwise, and the bare sum has to
-    /// be in the scalar's range: it is near 1 / (m σ_D h^{-D}) for densities near 1.
+    /// terms share outside the sum, so that a pair costs two multiplications less. Rounded otherwise. As there, only ρ has to be
+    /// in the scalar's range: the bare sum, 1 / (m σ_D h^{-D}) for a density of 1, may leave it.
     ///
     /// ```
     /// use sph_core::{BruteForce, KernelInfluence, Sources, Uniform, kernel::Poly6};
@@ -69,7 +69,7 @@ impl<T: Scalar, const D: usize, N: Neighbours<T, D>> Sources<T, D, N, Uniform<T>
     pub fn equal_density_at<W: Influence<T, D>>(&self, w: &W, x: &[T; D]) -> T {
         let mut sum = T::Sum::ZERO;
         self.for_each(w, x, |neighbour, _, influence| sum.add(influence.shape(neighbour.distance_squared)));
-        self.weights().0 * w.constant() * sum.total()
+        sum.scaled_total(self.weights().0, w.constant())
     }
 }
 

@@ -1,4 +1,4 @@
-//! What fluids look like on a probe's console: the numbers that tell one from another, not their memory.
+//! `defmt::Format` of the fluids: their counts and settings, not all of their particles.
 
 use super::wcsph::{CellStorage, ParticleStates, Particles, Scheme};
 use super::{BorrowedFluid, Container, Particle, PositionBasedFluid, Shape, Wall};

@@ -1,14 +1,16 @@
-//! Fluids that move: what a solver adds to kernels, searches and fields.
+//! Solvers that move particles, over the kernels, searches and fields of the other modules.
 //!
 //! | | for | walls |
 //! |---|---|---|
 //! | [`PositionBasedFluid`] | pendants, badges, displays: one step a frame, never unstable, bounded work | a [`Container`] |
 //! | [`wcsph`] | computations that stand against experiment | wall particles |
 //!
-//! [`raster`] shows the fluid on a grid of lamps or pixels.
+//! [`raster`] shows the fluid on a grid of lamps or pixels; [`guide`] says how to choose h, gravity and settings, and what was measured.
 
 pub mod container;
 pub mod eos;
+#[doc = include_str!("../../docs/fluid.md")]
+pub mod guide {}
 #[cfg(feature = "defmt")]
 mod logged;
 pub mod pbf;

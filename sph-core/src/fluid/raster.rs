@@ -15,7 +15,7 @@ use crate::scalar::compact::Compact;
 /// ```
 /// use sph_core::fluid::{Particle, Raster};
 /// let mut lamps = Raster::<4, 3>::new();
-/// /// // a puddle two spacings deep that covers the left half of the floor
+/// // a puddle two spacings deep that covers the left half of the floor
 /// let place = |k: usize| [0.25 + 0.5 * (k % 4) as f32, 0.25 + 0.5 * (k / 4) as f32];
 /// let puddle: [_; 8] = core::array::from_fn(|k| Particle::new(place(k), [0.0; 2]));
 /// lamps.update(&puddle, 1.0);

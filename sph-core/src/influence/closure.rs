@@ -1,4 +1,4 @@
-//! An influence made from nothing but a closure ω(h, r) (Def. 1.1).
+//! An influence from a closure ω(h, r) (Def. 1.1).
 
 use super::Influence;
 use crate::vector::scale;

@@ -86,6 +86,37 @@ impl<T: Scalar, const D: usize, K: Kernel> KernelInfluence<T, D, K> {
         self.normalisation
     }
 
+    /// Checks that the steepest ∇Ω, at the q where |f′| is largest, is in the scalar's range.
+    ///
+    /// A density does not need it, so [`new`](Self::new) does not ask for it. In a narrow type call this once before gradients
+    /// are summed: a term that is clamped, or wraps, is not seen in a sum.
+    ///
+    /// # Errors
+    /// [`Error::NotRepresentable`] with [`Parameter::Value`].
+    ///
+    /// ```
+    /// # #[cfg(feature = "fixed")] {
+    /// use sph_core::{Arithmetic, KernelInfluence, kernel::{WendlandC2, WendlandC6}};
+    /// use sph_core::scalar::fixed::{I4F12, Saturating};
+    /// type T = Saturating<I4F12>; // ends at 8
+    /// let c2 = KernelInfluence::<T, 2, WendlandC2>::new(T::ONE).unwrap();
+    /// let c6 = KernelInfluence::<T, 2, WendlandC6>::new(T::ONE).unwrap();
+    /// assert!(c2.check_gradient().is_ok() && c6.check_gradient().is_err());
+    /// # }
+    /// ```
+    pub fn check_gradient(&self) -> Result<(), Error> {
+        const STEPS: i32 = 64;
+        let scale = self.normalisation.to_f64() * self.inverse_radius.to_f64();
+        for i in 1..STEPS {
+            let q = f64::from(i) / f64::from(STEPS);
+            let slope = if D == 1 { K::slope_in_1d(q) } else { K::slope(q) };
+            if -slope * scale >= T::MAX.to_f64() {
+                return Err(Error::NotRepresentable { parameter: Parameter::Value });
+            }
+        }
+        Ok(())
+    }
+
     /// s = r² / h²
     #[inline(always)]
     fn square(&self, distance_squared: T) -> T {

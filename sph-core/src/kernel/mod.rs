@@ -11,15 +11,13 @@
 //! The moments are exact: a kernel lists the [`Term`]s its profile is the sum of, and each term's moment is a beta
 //! function. A kernel that lists none is integrated by [`quadrature`](crate::quadrature).
 //!
-//! | kernel | source | support / smoothing length |
-//! |---|---|---|
-//! | [`Poly6`], [`Spiky`], [`Viscosity`] | Müller, Charypar, Gross, SCA 2003 | 1 |
-//! | [`CubicSpline`] M₄, [`QuarticSpline`] M₅, [`QuinticSpline`] M₆ | Monaghan 1992; Price 2012 | 2, 5/2, 3 |
-//! | [`WendlandC2`], [`WendlandC4`], [`WendlandC6`] | Wendland 1995; Dehnen & Aly 2012 | 2 |
+//! [`LIST`] has the table of all kernels. A new one is a file in this folder, its `mod` and its line in [`for_each_kernel`]; the
+//! command, the laws, the digests and every other table and test take it from there.
 //!
 //! [`Tabulated`] evaluates another kernel by a table in q², without a root.
 //!
 //! [`KernelInfluence`]: crate::KernelInfluence
+//! [`for_each_kernel`]: crate::for_each_kernel
 
 pub mod cubic_spline;
 mod moment;
@@ -35,18 +33,56 @@ pub mod wendland_c6;
 
 pub mod conformance;
 
-pub use cubic_spline::CubicSpline;
 pub(crate) use moment::Constants;
 pub use moment::{Term, normalisation, radial_moment, second_moment};
-pub use poly6::Poly6;
-pub use quartic_spline::QuarticSpline;
-pub use quintic_spline::QuinticSpline;
-pub use spiky::Spiky;
 pub use tabulated::Tabulated;
-pub use viscosity::{Viscosity, ViscosityLaplacian};
-pub use wendland_c2::WendlandC2;
-pub use wendland_c4::WendlandC4;
-pub use wendland_c6::WendlandC6;
+pub use viscosity::ViscosityLaplacian;
+
+/// Calls a macro with the list of the kernels: module, type, name and description of each, and then with what follows `;`.
+///
+/// ```
+/// use sph_core::kernel::{self, Kernel};
+///
+/// macro_rules! print_at {
+///     ([$($module:ident $Kernel:ident $name:tt $about:tt;)+] $q:expr) => {
+///         $(println!("{}, {}: {}", $name, $about, kernel::$Kernel::profile($q));)+
+///     };
+/// }
+/// sph_core::for_each_kernel!(print_at; 0.5);
+/// ```
+#[macro_export]
+macro_rules! for_each_kernel {
+    ($($callback:tt)::+ $(; $($context:tt)*)?) => {
+        $($callback)::+! {
+            [
+                poly6 Poly6 "poly6" "(1 − q²)³, Müller et al. 2003";
+                spiky Spiky "spiky" "(1 − q)³, Müller et al. 2003";
+                viscosity Viscosity "viscosity" "for viscosity forces, Müller et al. 2003: diverges at r = 0";
+                cubic_spline CubicSpline "cubic-spline" "B-spline M₄, Monaghan 1992";
+                quartic_spline QuarticSpline "quartic-spline" "B-spline M₅, Price 2012";
+                quintic_spline QuinticSpline "quintic-spline" "B-spline M₆, Price 2012";
+                wendland_c2 WendlandC2 "wendland-c2" "Wendland's function C2, Wendland 1995";
+                wendland_c4 WendlandC4 "wendland-c4" "Wendland's function C4, Wendland 1995";
+                wendland_c6 WendlandC6 "wendland-c6" "Wendland's function C6, Wendland 1995";
+            ]
+            $($($context)*)?
+        }
+    };
+}
+
+macro_rules! listed {
+    ([$($module:ident $Kernel:ident $name:tt $about:tt;)+]) => {
+        $(pub use $module::$Kernel;)+
+
+        /// The name and the description of every kernel, in the order of [`for_each_kernel`](crate::for_each_kernel).
+        ///
+        /// | kernel | name | what |
+        /// |---|---|---|
+        $(#[doc = concat!("| [`", stringify!($Kernel), "`] | `", $name, "` | ", $about, " |")])+
+        pub const LIST: &[(&str, &str)] = &[$(($name, $about)),+];
+    };
+}
+for_each_kernel!(listed);
 
 use crate::vector::scale;
 use crate::{Arithmetic, Scalar};
@@ -162,4 +198,23 @@ fn root<T: Scalar>(s: T) -> T {
 /// h^p
 fn raw_unit<K: Kernel, T: Scalar>(support_radius: T) -> T {
     (0..K::RAW_POWER).fold(T::ONE, |unit, _| unit * support_radius)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    macro_rules! obey {
+        ([$($module:ident $Kernel:ident $name:tt $about:tt;)+]) => {$(
+            if !$Kernel::SINGULAR {
+                assert_eq!(conformance::check::<$Kernel, f64>(), Ok(()), $name);
+                assert_eq!(conformance::check::<$Kernel, f32>(), Ok(()), $name);
+            }
+        )+};
+    }
+
+    #[test]
+    fn every_kernel_obeys_the_laws() {
+        for_each_kernel!(obey);
+    }
 }

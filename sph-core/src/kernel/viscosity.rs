@@ -1,4 +1,4 @@
-//! The viscosity kernel of Müller, Charypar and Gross, and the Laplacian it exists for.
+//! The viscosity kernel of Müller, Charypar and Gross, and its Laplacian, which viscosity forces use.
 //!
 //! ```text
 //! f(q)  = −q³/2 + q² + 1/(2q) − 1            diverges at q = 0; no norm in one dimension

@@ -1,4 +1,4 @@
-//! How space ends along each axis.
+//! Whether space is open or periodic along each axis.
 
 use crate::{Error, Parameter, Scalar, check};
 use core::fmt::Debug;

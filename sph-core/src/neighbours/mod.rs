@@ -1,7 +1,7 @@
 //! Which samples lie within a radius of a point.
 //!
-//! A search visits every sample j with |x − x_j| < radius, each exactly once (each image once, on periodic axes), and in
-//! an order that is its documented own: sums taken in that order have the same bits everywhere. The sample at x itself is
+//! A search visits every sample j with |x − x_j| < radius, each exactly once (each image once, on periodic axes), in the
+//! order that it documents: sums taken in that order have the same bits everywhere. The sample at x itself is
 //! visited like any other, with offset 0: densities include it, and gradients vanish there.
 //!
 //! | search | order | cost of a query | storage |
@@ -45,8 +45,8 @@ pub struct Neighbour<T, const D: usize> {
 }
 
 impl<T: Scalar, const D: usize> Neighbour<T, D> {
-    /// The neighbour at `position`, if |x − x_j|² < `radius_squared`, squares and sum in T: the one place where that is decided.
-    /// Squares that overflow or vanish in T decide too: f32 sees nothing within 10⁻³⁰, not even the sample at x.
+    /// The neighbour at `position`, if |x − x_j|² < `radius_squared`, squares and sum in T: what the searches of
+    /// this module decide by. Squares that overflow or vanish in T decide too: f32 sees nothing within 10⁻³⁰, not even the sample at x.
     #[inline(always)]
     pub fn within(index: usize, x: &[T; D], position: &[T; D], radius_squared: T) -> Option<Self> {
         let offset = sub(x, position);
@@ -64,6 +64,40 @@ impl<T: Scalar, const D: usize> Neighbour<T, D> {
 /// let mut found = [false; 3];
 /// search.for_each(&[0.1, 0.0], 1.0, |neighbour| found[neighbour.index] = true);
 /// assert_eq!(found, [true, true, false]);
+/// # Ok::<(), sph_core::Error>(())
+/// ```
+///
+/// The smallest one of your own. [`Neighbour::within`] decides as the searches of this crate do:
+///
+/// ```
+/// use sph_core::{KernelInfluence, Neighbour, Neighbours, Scalar, Sources, Uniform, kernel::WendlandC2};
+///
+/// /// Samples on a line, in ascending order.
+/// #[derive(Clone, Copy)]
+/// struct Sorted<'a, T>(&'a [[T; 1]]);
+///
+/// impl<T: Scalar> Neighbours<T, 1> for Sorted<'_, T> {
+///     fn positions(&self) -> &[[T; 1]] {
+///         self.0
+///     }
+///     fn for_each(&self, x: &[T; 1], radius: T, mut visit: impl FnMut(Neighbour<T, 1>)) {
+///         if radius > T::ZERO {
+///             let first = self.0.partition_point(|position| position[0] <= x[0] - radius);
+///             for (j, position) in self.0.iter().enumerate().skip(first) {
+///                 match Neighbour::within(j, x, position, radius * radius) {
+///                     Some(neighbour) => visit(neighbour),
+///                     None if position[0] > x[0] => break,
+///                     None => {}
+///                 }
+///             }
+///         }
+///     }
+/// }
+///
+/// let sources = Sources::new(Sorted(&[[0.0_f64], [0.3], [0.4], [2.0]]), Uniform(1.0))?;
+/// assert_eq!(sources.positions().len(), 4);
+/// let w = KernelInfluence::<f64, 1, WendlandC2>::new(0.5)?;
+/// assert_eq!(sources.density_at(&w, &[2.0]), w.normalisation());
 /// # Ok::<(), sph_core::Error>(())
 /// ```
 pub trait Neighbours<T: Scalar, const D: usize> {

@@ -1,7 +1,7 @@
 //! Numbers near 1 for the pairs of particles of a real-time solver: half the memory, and a product in one machine word.
 //!
-//! Within reach of each other everything is small: offsets in units of h, weights and displacements a frame. A float is
-//! its own [`Near`]. A fixed-point number becomes an integer count of 2^−14 that is stored in 16 bits and multiplied in 32,
+//! For particles within reach of each other all numbers are small: offsets in units of h, weights and displacements a frame. A float is
+//! its own [`NearUnit`]. A fixed-point number becomes an integer count of 2^−14 that is stored in 16 bits and multiplied in 32,
 //! where a product of its own format takes a 64-bit one: some fifty instructions on a processor without it.
 
 use super::{Arithmetic, Scalar};
@@ -11,7 +11,7 @@ use core::fmt::Debug;
 /// A scalar with a small companion for values near 1.
 pub trait Compact: Scalar {
     /// The companion.
-    type Near: Near;
+    type Near: NearUnit;
 
     /// `self − other`, rounded down to the companion's step. Exact in range for two numbers of [0, 2¹⁶) whose difference the
     /// scalar itself can hold; any number for others.
@@ -42,7 +42,7 @@ pub trait Pack<N, const D: usize>: Copy + Debug + Send + Sync + 'static {
 
 /// A number near 1. Exact bounds are kept by the caller: offsets and factors below 2 in magnitude never overflow, and what
 /// overflows wraps without a panic. Sums, differences and comparisons are right up to 2¹⁷, as coordinates need them.
-pub trait Near: Arithmetic + PartialOrd + Default + Debug + Send + Sync + 'static {
+pub trait NearUnit: Arithmetic + PartialOrd + Default + Debug + Send + Sync + 'static {
     /// The form in memory.
     type Stored: Copy + Debug + Send + Sync + 'static;
     /// A vector in memory.
@@ -61,7 +61,7 @@ pub trait Near: Arithmetic + PartialOrd + Default + Debug + Send + Sync + 'stati
 
     /// ⌊x⌋; 0 for NaN.
     fn floor(self) -> i32;
-    /// Held at ±2 in fixed point.
+    /// Returns the form in memory; fixed point is clamped to ±2.
     fn store(self) -> Self::Stored;
     /// As [`store`](Self::store) for what is known to lie within ±2; the low bits of what does not.
     fn store_low(self) -> Self::Stored;
@@ -78,15 +78,15 @@ pub trait Near: Arithmetic + PartialOrd + Default + Debug + Send + Sync + 'stati
         vector::norm_squared(v)
     }
 
-    /// The product rounded to nearest where `*` rounds down: for what has no opposite that cancels the bias.
+    /// Multiplies and rounds to nearest, where `*` rounds down: for a product that no opposite one cancels the bias of.
     #[inline(always)]
-    fn evenly(self, other: Self) -> Self {
+    fn mul_rounded(self, other: Self) -> Self {
         self * other
     }
 
-    /// The number between −`limit` and `limit`; 0 for NaN.
+    /// Clamps to ±`limit`; returns 0 for NaN.
     #[inline(always)]
-    fn held(self, limit: Self) -> Self {
+    fn clamp_abs(self, limit: Self) -> Self {
         if self > limit {
             limit
         } else if self >= -limit {
@@ -139,7 +139,7 @@ macro_rules! float {
             }
         }
 
-        impl Near for $Float {
+        impl NearUnit for $Float {
             type Stored = Self;
             type Packed<const D: usize> = [Self; D];
 
@@ -147,7 +147,7 @@ macro_rules! float {
             const NO_WEIGHT: Self = $zero;
 
             #[inline(always)]
-            fn held(self, limit: Self) -> Self {
+            fn clamp_abs(self, limit: Self) -> Self {
                 if self.abs() <= limit {
                     self
                 } else if self > limit {

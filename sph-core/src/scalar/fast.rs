@@ -173,6 +173,11 @@ impl Accumulator<Fast32> for Fast32 {
     fn total(self) -> Fast32 {
         self
     }
+
+    #[inline(always)]
+    fn scaled_total(self, a: Fast32, b: Fast32) -> Fast32 {
+        a * b * self
+    }
 }
 
 #[cfg(test)]

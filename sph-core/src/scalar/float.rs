@@ -100,6 +100,11 @@ macro_rules! float {
             fn total(self) -> $Float {
                 self
             }
+
+            #[inline(always)]
+            fn scaled_total(self, a: $Float, b: $Float) -> $Float {
+                a * b * self
+            }
         }
     };
 }

@@ -1,4 +1,4 @@
-//! The numbers: what the mathematics asks of them, and nothing more.
+//! The number types, and the operations that the mathematics needs of them.
 //!
 //! Two traits, because two kinds of number run through the same source. [`Arithmetic`] is what a kernel needs: no
 //! comparison that yields a `bool`, so an array of SIMD lanes satisfies it as well as one number does. [`Scalar`] adds
@@ -10,7 +10,8 @@
 //! | `Fast32` | `fast`, feature `micromath` | micromath's approximations, errors documented |
 //! | `Fixed` over the types of the `fixed` crate | `fixed`, feature `fixed` | integer square root |
 //!
-//! A new scalar is one file that implements both traits.
+//! A new scalar is one file that implements both traits and its line in [`for_each_scalar`](crate::for_each_scalar); a new
+//! fixed-point format is one line in `for_each_format`. The command, the laws and the other tests take them from there.
 
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
@@ -21,6 +22,78 @@ pub mod fast;
 #[cfg(feature = "fixed")]
 pub mod fixed;
 pub mod float;
+
+/// Calls a macro with the list of the scalars: variant name, type and description of each, and then with what follows `;`. What
+/// the features `micromath` and `fixed` bring is in it where they are on. [`Scalar::NAME`] is the name that users write.
+///
+/// ```
+/// use sph_core::Scalar;
+/// macro_rules! names {
+///     ([$($Name:ident: $Scalar:ty, $about:tt;)+]) => { [$(<$Scalar as Scalar>::NAME),+] };
+/// }
+/// assert_eq!(sph_core::for_each_scalar!(names)[..2], ["f64", "f32"]);
+/// ```
+#[macro_export]
+macro_rules! for_each_scalar {
+    ($($callback:tt)::+ $(; $($context:tt)*)?) => {
+        $crate::__with_fast_scalars! {
+            ($($callback)::+) ($($($context)*)?)
+            F64: f64, "64-bit floating point";
+            F32: f32, "32-bit floating point";
+        }
+    };
+}
+
+#[cfg(feature = "micromath")]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __with_fast_scalars {
+    ($callback:tt $context:tt $($list:tt)*) => {
+        $crate::__with_fixed_scalars! {
+            $callback $context $($list)*
+            Fast32: $crate::scalar::fast::Fast32, "32-bit floating point with micromath's approximations";
+        }
+    };
+}
+
+#[cfg(not(feature = "micromath"))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __with_fast_scalars {
+    ($($list:tt)*) => { $crate::__with_fixed_scalars! { $($list)* } };
+}
+
+#[cfg(feature = "fixed")]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __with_fixed_scalars {
+    ($callback:tt $context:tt $($list:tt)*) => {
+        $crate::for_each_format! { $crate::__with_all_scalars; $callback $context $($list)* }
+    };
+}
+
+#[cfg(not(feature = "fixed"))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __with_fixed_scalars {
+    ($($list:tt)*) => { $crate::__with_all_scalars! { [] $($list)* } };
+}
+
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __with_all_scalars {
+    (
+        [$($Format:ident $name:tt $about:tt;)*] ($($callback:tt)+) ($($context:tt)*) $($list:tt)*
+    ) => {
+        $($callback)+! {
+            [
+                $($list)*
+                $($Format: $crate::scalar::fixed::Saturating<$crate::scalar::fixed::$Format>, $about;)*
+            ]
+            $($context)*
+        }
+    };
+}
 
 /// What a kernel's polynomial needs of a number or of an array of lanes.
 ///
@@ -76,6 +149,69 @@ pub trait Arithmetic:
 }
 
 /// One real number: [`Arithmetic`] with comparison, roots and conversions.
+///
+/// The smallest one of your own: an f64 that counts the multiplications of a computation. It has the operators of f64, the constants
+/// and conversions below, and a running sum.
+///
+/// ```
+/// use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
+/// use sph_core::{Accumulator, Arithmetic, BruteForce, KernelInfluence, Scalar, Sources, Uniform, kernel::Poly6};
+/// use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
+///
+/// static PRODUCTS: AtomicU32 = AtomicU32::new(0);
+///
+/// #[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
+/// struct Counted(f64);
+///
+/// impl Add for Counted { type Output = Self; fn add(self, other: Self) -> Self { Self(self.0 + other.0) } }
+/// impl Sub for Counted { type Output = Self; fn sub(self, other: Self) -> Self { Self(self.0 - other.0) } }
+/// impl Div for Counted { type Output = Self; fn div(self, other: Self) -> Self { Self(self.0 / other.0) } }
+/// impl Neg for Counted { type Output = Self; fn neg(self) -> Self { Self(-self.0) } }
+/// impl AddAssign for Counted { fn add_assign(&mut self, other: Self) { self.0 += other.0 } }
+/// impl SubAssign for Counted { fn sub_assign(&mut self, other: Self) { self.0 -= other.0 } }
+/// impl Mul for Counted {
+///     type Output = Self;
+///     fn mul(self, other: Self) -> Self {
+///         PRODUCTS.fetch_add(1, Relaxed);
+///         Self(self.0 * other.0)
+///     }
+/// }
+///
+/// impl Arithmetic for Counted {
+///     const ZERO: Self = Self(0.0);
+///     const ONE: Self = Self(1.0);
+///     fn ratio(numerator: i32, denominator: i32) -> Self { Self(Arithmetic::ratio(numerator, denominator)) }
+///     fn positive_part(self) -> Self { Self(self.0.positive_part()) }
+///     fn times(self, n: i32) -> Self { Self(self.0.times(n)) }
+/// }
+///
+/// impl Scalar for Counted {
+///     type Sum = Self;
+///     const NAME: &'static str = "counted";
+///     const EPSILON: Self = Self(f64::EPSILON);
+///     const MAX: Self = Self(f64::MAX);
+///     fn from_f64(value: f64) -> Self { Self(value) }
+///     fn to_f64(self) -> f64 { self.0 }
+///     fn sqrt(self) -> Self { Self(Scalar::sqrt(self.0)) }
+///     fn is_finite(self) -> bool { self.0.is_finite() }
+///     fn floor_to_i32(self) -> i32 { self.0.floor_to_i32() }
+///     fn canonical_bits(self) -> u64 { self.0.canonical_bits() }
+/// }
+///
+/// impl Accumulator<Counted> for Counted {
+///     const ZERO: Self = Self(0.0);
+///     fn add(&mut self, term: Counted) { self.0 += term.0 }
+///     fn total(self) -> Counted { self }
+/// }
+///
+/// let sources = Sources::new(BruteForce::open(&[[Counted(0.1); 2]; 10])?, Uniform(Counted(1.0)))?;
+/// let w = KernelInfluence::<Counted, 2, Poly6>::new(Counted(1.0))?;
+/// let before = PRODUCTS.load(Relaxed);
+/// sources.density_at(&w, &[Counted(0.0); 2]);
+/// // two for the distance, one for q², two for the cube, one for σ and one for the mass
+/// assert_eq!(PRODUCTS.load(Relaxed) - before, 10 * 7 + 1); // and the square of the radius
+/// # Ok::<(), sph_core::Error>(())
+/// ```
 pub trait Scalar: Arithmetic + PartialOrd + Default + Debug + Send + Sync + 'static {
     /// What a sum over neighbours is gathered in: wider than the type where the type is narrow.
     type Sum: Accumulator<Self>;
@@ -154,4 +290,23 @@ pub trait Accumulator<T>: Copy + Send {
     fn add(&mut self, term: T);
     /// The sum, rounded or saturated to T once.
     fn total(self) -> T;
+
+    /// a · b · sum. Only the result has to be in the range of T: neither the sum nor a · b needs to be.
+    ///
+    /// The form given here serves types whose products and sums tell when they leave the range, and returns what is not
+    /// finite as it is. A sum that is wider than T multiplies before it is narrowed.
+    #[inline(always)]
+    fn scaled_total(self, a: T, b: T) -> T
+    where
+        T: Scalar,
+    {
+        let (factor, total) = (a * b, self.total());
+        if !factor.is_finite() {
+            factor
+        } else if !total.is_finite() {
+            total
+        } else {
+            factor * total
+        }
+    }
 }

@@ -66,7 +66,7 @@ impl Row {
     }
 }
 
-/// Does what the words say.
+/// Prints the constants, and draws the kernels if `--plot` is given.
 pub(super) fn run(args: &KernelsArgs) -> Result<(), Failure> {
     let dims = args.dim.map_or_else(|| vec![1, 2, 3], |dim| vec![dim]);
     if let Some(path) = &args.plot {
@@ -77,7 +77,7 @@ pub(super) fn run(args: &KernelsArgs) -> Result<(), Failure> {
     }
     let rows: Vec<Row> = dims
         .iter()
-        .flat_map(|&dim| KernelName::ALL.iter().map(move |&kernel| Row { kernel, dim }))
+        .flat_map(|&dim| KernelName::value_variants().iter().map(move |&kernel| Row { kernel, dim }))
         // the viscosity kernel has no norm in one dimension
         .filter(|row| !(row.kernel.is_singular() && row.dim == 1))
         .collect();
@@ -112,7 +112,7 @@ fn draw(dim: u32, target: &Target) -> Result<(), Failure> {
         title: title.into(),
         x_title: "q = r / h".into(),
         y_title: y_title.into(),
-        series: KernelName::ALL.iter().map(|&kernel| series(kernel, f)).collect(),
+        series: KernelName::value_variants().iter().map(|&kernel| series(kernel, f)).collect(),
         x_range: Some([0.0, 1.0]),
         y_range: Some(y_range),
     };

@@ -138,7 +138,7 @@ fn contradictions_are_wrong_usage() {
         Options { dim: 3, ..base.clone() },
         Options { resolution: Some(2), ..base.clone() },
         Options { every: Some(1.0), ..base.clone() },
-        Options { scalar: Some(ScalarName::I16f16), ..base },
+        Options { scalar: Some(ScalarName::I16F16), ..base },
     ];
     for options in wrong {
         assert_eq!(run(&options, &()).unwrap_err().status(), 2, "{options:?}");

@@ -13,6 +13,22 @@ const SCALARS: [(&str, f64, f64); 6] = [
     ("i32f32", 1e-7, 1e-6),
 ];
 
+/// Every scalar of the list can be chosen and named.
+#[test]
+fn all_listed_scalars_are_taken() {
+    macro_rules! names {
+        ([$($Name:ident: $Scalar:ty, $about:tt;)+]) => { [$(<$Scalar as sph_core::Scalar>::NAME),+] };
+    }
+    let folder = Folder::new();
+    let help = folder.succeed("sample --help").stdout;
+    for scalar in sph_core::for_each_scalar!(names) {
+        assert!(help.contains(scalar), "{scalar} is not in the help");
+        let found =
+            folder.columns(&format!("sample demo:vortex --particles 100 --grid 3,3 --scalar {scalar}"));
+        assert!(found.get("density").iter().all(|density| *density > 0.0), "{scalar}");
+    }
+}
+
 fn compare(exact: &Columns, found: &Columns, value: f64, gradient: f64, what: &str) {
     assert_eq!(exact.names, found.names);
     for (name, (a, b)) in exact.names.iter().zip(exact.values.iter().zip(&found.values)) {

@@ -14,17 +14,19 @@ mod operators;
 mod small_scalars;
 mod tabulated;
 
-/// Runs a generic expression for each of the eight kernels that can make a density.
+/// Runs a generic expression for each kernel that can make a density.
 macro_rules! each_kernel {
-    ($K:ident => $body:expr) => {{
-        each_kernel!(@ $K, $body, Poly6, Spiky, CubicSpline, QuarticSpline, QuinticSpline, WendlandC2, WendlandC4, WendlandC6);
-    }};
-    (@ $K:ident, $body:expr, $($Kernel:ident),*) => {
+    ($K:ident => $body:expr) => {
+        sph_core::for_each_kernel!(each_kernel; $K => $body)
+    };
+    ([$($module:ident $Kernel:ident $name:tt $about:tt;)+] $K:ident => $body:expr) => {{
         $({
             type $K = sph_core::kernel::$Kernel;
-            $body
-        })*
-    };
+            if !<$K as sph_core::kernel::Kernel>::SINGULAR {
+                $body
+            }
+        })+
+    }};
 }
 pub(crate) use each_kernel;
 

@@ -2,7 +2,7 @@
 
 use super::{Container, Wall, hold};
 use crate::Arithmetic;
-use crate::scalar::compact::{Compact, Near};
+use crate::scalar::compact::{Compact, NearUnit};
 use crate::vector::{norm_squared, scale};
 
 /// A disc (in three dimensions a ball) of `radius` 1 or more around (radius, radius, …), in units of h.
@@ -47,7 +47,7 @@ impl<T: Compact, const D: usize> Container<T, D> for Disc<T> {
         let d = ((T::ONE - length) * self.radius).max(T::ZERO);
         let normal = u.map(|along| (-along / length).near());
         if length > T::ZERO && d < T::ONE {
-            Wall::plane(d.near(), normal.map(|n| n.held(T::Near::ONE)))
+            Wall::plane(d.near(), normal.map(|n| n.clamp_abs(T::Near::ONE)))
         } else {
             None
         }

@@ -1,7 +1,7 @@
-//! A bitmap as container.
+//! A container from a bitmap.
 
 use super::{Container, Wall, half_space, hold};
-use crate::scalar::compact::{Compact, Near};
+use crate::scalar::compact::{Compact, NearUnit};
 use crate::{Arithmetic, Error, Parameter, check};
 
 /// A container drawn as a bitmap: fluid flows where a bit is set, everything else and everything around is wall.
@@ -148,8 +148,8 @@ impl<T: Compact> Container<T, 2> for Mask<'_, T> {
                     .is_open(column.saturating_add(i as i32 - REACH), row.saturating_add(j as i32 - REACH))
                 {
                     wall.share += mass_x * mass_y;
-                    wall.push[0] -= pull_x.evenly(mass_y);
-                    wall.push[1] -= pull_y.evenly(mass_x);
+                    wall.push[0] -= pull_x.mul_rounded(mass_y);
+                    wall.push[1] -= pull_y.mul_rounded(mass_x);
                 }
             }
         }

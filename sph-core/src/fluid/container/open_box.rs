@@ -2,7 +2,7 @@
 
 use super::{Container, GAP, Wall, half_space, hold};
 use crate::Arithmetic;
-use crate::scalar::compact::{Compact, Near};
+use crate::scalar::compact::{Compact, NearUnit};
 
 /// A box from 0 to `size`, in units of h, closed on all sides.
 ///
@@ -89,13 +89,13 @@ impl<T: Compact, const D: usize> Container<T, D> for OpenBox<T, D> {
 
 /// The walls across each axis together, of which each takes a share of what the others leave `open`.
 #[inline(always)]
-fn product<N: Near, const D: usize>(open: [N; D], mut push: [N; D]) -> Wall<N, D> {
+fn product<N: NearUnit, const D: usize>(open: [N; D], mut push: [N; D]) -> Wall<N, D> {
     let mut all = N::ONE;
     for axis in 0..D {
         all = all * open[axis];
         for other in 0..D {
             if other != axis {
-                push[other] = push[other].evenly(open[axis]);
+                push[other] = push[other].mul_rounded(open[axis]);
             }
         }
     }

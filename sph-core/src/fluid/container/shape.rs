@@ -2,7 +2,7 @@
 
 use super::{Container, Wall, hold};
 use crate::Arithmetic;
-use crate::scalar::compact::{Compact, Near};
+use crate::scalar::compact::{Compact, NearUnit};
 use crate::vector::{add, scale};
 
 /// A container from a signed distance: `distance(x)` gives the distance to the nearest wall, positive inside, and the unit
@@ -49,7 +49,7 @@ impl<T: Compact, F: Fn(&[T; D]) -> (T, [T; D]), const D: usize> Container<T, D> 
     fn wall(&self, x: &[T::Near; D]) -> Option<Wall<T::Near, D>> {
         let (d, normal) = (self.distance)(&x.map(T::from_near));
         if d < T::ONE {
-            let normal = normal.map(|along| along.near().held(T::Near::ONE));
+            let normal = normal.map(|along| along.near().clamp_abs(T::Near::ONE));
             Wall::plane(d.max(T::ZERO).near(), normal)
         } else {
             None

@@ -1,4 +1,4 @@
-//! The solver over memory that is its caller's.
+//! The solver over slices of the caller.
 
 use super::{FARTHEST, Particle, Settings, check_inside};
 use crate::fluid::Container;

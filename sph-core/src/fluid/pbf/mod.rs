@@ -11,11 +11,9 @@
 //! is sharper than poly6's own gradient, so that no root is needed; its strength has a constant denominator κ. Closer than
 //! 0.8 spacings a repulsion is added that does not depend on pressure: particles never pair up. A part of the pressure is kept
 //! from pass to pass, which halves what is left of the compression under the fluid's own weight. XSPH viscosity is part of the
-//! first pass. In three dimensions 3.05 is 4.96, κ is 0.85 and 1.6 is 1.5. Every pair's push is computed once and applied with both signs, so momentum is conserved: to rounding in floats,
-//! exactly in fixed point.
-//!
-//! Chosen by measurement: 3.05 (the kernel's own constant is π) makes up for the surface, which any such solver compresses; a wall
-//! that pushed back with the full 2 p G of its mirror image would make the fluid tremble at rest.
+//! first pass. In three dimensions 3.05 is 4.96, κ is 0.85 and 1.6 is 1.5; these numbers were chosen by measurement, which `tuning.rs`
+//! lists. Every pair's push is computed once and applied with both signs, so momentum is conserved: to rounding in floats, exactly in
+//! fixed point.
 //!
 //! The unit of length is the support radius h, the particles' spacing at rest is h/2, and time counts in frames. A fixed-point
 //! scalar's positions are kept as counts of 2⁻¹⁴ in 32 bits, velocities, pushes and pressures in 16
@@ -28,10 +26,11 @@
 mod borrowed;
 mod particle;
 mod step;
+mod tuning;
 
 use crate::fluid::Container;
 use crate::neighbours::Index;
-use crate::scalar::compact::{Compact, Near, Pack};
+use crate::scalar::compact::{Compact, NearUnit, Pack};
 use crate::{Arithmetic, Error, Parameter};
 pub use borrowed::{BorrowedFluid, Pass};
 pub use particle::Particle;
@@ -195,7 +194,8 @@ impl<T: Compact, C, I: Index, const D: usize, const CAP: usize, const CELLS: usi
         for particle in self.particles.iter_mut().take(len) {
             let change = impulse(particle);
             let velocity = particle.velocity.unpack();
-            let after = |axis: usize| (velocity[axis] + near_held(change[axis], (1, 1))).held(T::Near::ONE);
+            let after =
+                |axis: usize| (velocity[axis] + clamp_to_near(change[axis], (1, 1))).clamp_abs(T::Near::ONE);
             particle.velocity = Pack::pack(core::array::from_fn(after));
         }
     }
@@ -264,9 +264,9 @@ fn ratio<N: Arithmetic>((numerator, denominator): (i32, i32)) -> N {
     N::ratio(numerator, denominator)
 }
 
-/// Any number, held at ±`limit` ≤ 1; NaN becomes 0.
+/// Clamps a number to ±`limit` ≤ 1, as its companion; NaN becomes 0.
 #[inline(always)]
-fn near_held<T: Compact>(value: T, limit: (i32, i32)) -> T::Near {
+fn clamp_to_near<T: Compact>(value: T, limit: (i32, i32)) -> T::Near {
     let value = if value > T::ONE {
         T::ONE
     } else if value >= -T::ONE {
@@ -276,5 +276,5 @@ fn near_held<T: Compact>(value: T, limit: (i32, i32)) -> T::Near {
     } else {
         T::ZERO
     };
-    value.near().held(ratio(limit))
+    value.near().clamp_abs(ratio(limit))
 }

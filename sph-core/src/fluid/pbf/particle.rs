@@ -3,11 +3,11 @@
 use super::FARTHEST;
 use crate::Arithmetic;
 use crate::fluid::Container;
-use crate::scalar::compact::{Compact, Near, Pack};
+use crate::scalar::compact::{Compact, NearUnit, Pack};
 use crate::vector::{add, sub};
 
-pub(super) type Stored<T> = <<T as Compact>::Near as Near>::Stored;
-pub(super) type Packed<T, const D: usize> = <<T as Compact>::Near as Near>::Packed<D>;
+pub(super) type Stored<T> = <<T as Compact>::Near as NearUnit>::Stored;
+pub(super) type Packed<T, const D: usize> = <<T as Compact>::Near as NearUnit>::Packed<D>;
 
 /// A particle: a position in units of h and a velocity in h a frame.
 ///
@@ -18,11 +18,12 @@ pub struct Particle<T: Compact, const D: usize> {
     pub(super) velocity: Packed<T, D>,
     /// The displacement gathered so far.
     pub(super) push: Packed<T, D>,
-    /// The kernel's sum over the particles before this one.
-    pub(super) load: Stored<T>,
+    /// The kernel's sum over the particles that were visited before this one.
+    pub(super) partial_density: Stored<T>,
     pub(super) pressure: Stored<T>,
-    /// Which of the particles ahead were in reach: bit k for the k-th, all bits where there were 32 or more.
-    pub(super) reach: i32,
+    /// Which of the particles ahead are neighbours: bit k for the k-th, all bits where there were 32 or more. From the
+    /// prediction to the sorting, the number of the particle's cell.
+    pub(super) neighbour_mask: i32,
 }
 
 impl<T: Compact, const D: usize> Particle<T, D> {
@@ -30,9 +31,9 @@ impl<T: Compact, const D: usize> Particle<T, D> {
         place: [T::Near::ZERO; D],
         velocity: Packed::<T, D>::ZERO,
         push: Packed::<T, D>::ZERO,
-        load: T::Near::NO_WEIGHT,
+        partial_density: T::Near::NO_WEIGHT,
         pressure: T::Near::STORED_ZERO,
-        reach: 0,
+        neighbour_mask: 0,
     };
 
     /// A particle at `position` with `velocity`, which is held at ±1. A coordinate that is not finite, or beyond ±2¹⁶,
@@ -40,13 +41,13 @@ impl<T: Compact, const D: usize> Particle<T, D> {
     pub fn new(position: [T; D], velocity: [T; D]) -> Self {
         let outside = |x: T| !x.is_finite() || x.floor_to_i32().unsigned_abs() > FARTHEST as u32;
         let position = position.map(|x| if outside(x) { -T::ONE } else { x });
-        let velocity = Pack::pack(velocity.map(|v| super::near_held(v, (1, 1))));
+        let velocity = Pack::pack(velocity.map(|v| super::clamp_to_near(v, (1, 1))));
         Self { place: position.map(T::near), velocity, ..Self::AT_ORIGIN }
     }
 
     /// With the pressure that its last frame ended with: position, velocity and pressure are all that a frame hands on.
     pub fn with_pressure(self, pressure: T) -> Self {
-        Self { pressure: super::near_held(pressure, (1, 1)).store(), ..self }
+        Self { pressure: super::clamp_to_near(pressure, (1, 1)).store(), ..self }
     }
 
     /// Moves it by `way` as far as the container lets it, and adds the way it went to `velocity`.
@@ -74,6 +75,6 @@ impl<T: Compact, const D: usize> Particle<T, D> {
 
     /// The pressure that the last frame ended with; no unit, 0 at a free surface.
     pub fn pressure(&self) -> T {
-        T::from_near(Near::load(self.pressure))
+        T::from_near(NearUnit::load(self.pressure))
     }
 }

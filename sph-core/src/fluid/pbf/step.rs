@@ -1,12 +1,13 @@
 //! One frame: predict, sort by cell, then a density sweep and a correcting sweep for each iteration.
 
 use super::particle::Packed;
-use super::{BorrowedFluid, FASTEST, Particle, STEEPEST, near_held, ratio};
+use super::tuning::Tuning;
+use super::{BorrowedFluid, FASTEST, Particle, STEEPEST, clamp_to_near, ratio};
 use crate::Arithmetic;
 use crate::fluid::Container;
 use crate::kernel::Poly6;
 use crate::neighbours::Index;
-use crate::scalar::compact::{Compact, Near, Pack};
+use crate::scalar::compact::{Compact, NearUnit, Pack};
 use crate::vector::{add, scale, sub};
 
 /// t = 1 − q² of a pair and its offset x_ij / h, within the support.
@@ -22,25 +23,25 @@ fn closeness<T: Compact, const D: usize>(
 
 impl<T: Compact, C: Container<T, D>, I: Index, const D: usize> BorrowedFluid<'_, T, C, D, I> {
     pub(super) fn predict(&mut self, acceleration: [T; D]) {
-        let acceleration = acceleration.map(|a| near_held(a, STEEPEST));
+        let acceleration = acceleration.map(|a| clamp_to_near(a, STEEPEST));
         let fastest = ratio(FASTEST);
         self.order.clear();
         for (i, p) in self.particles.iter_mut().enumerate() {
-            let way = add(&p.velocity.unpack(), &acceleration).map(|along| along.held(fastest));
+            let way = add(&p.velocity.unpack(), &acceleration).map(|along| along.clamp_abs(fastest));
             p.advance(&way, Pack::ZERO, (self.container, gap(i)));
-            p.reach = self.order.count(p.place.map(Near::floor)) as i32;
+            p.neighbour_mask = self.order.count(p.place.map(NearUnit::floor)) as i32;
         }
     }
 
     pub(super) fn sort(&mut self) {
-        self.order.sort(self.particles, |p| p.reach as usize);
+        self.order.sort(self.particles, |p| p.neighbour_mask as usize);
     }
 
     /// Density, XSPH viscosity, and which pairs are in reach.
     pub(super) fn search(&mut self) {
         let (container, settings) = (self.container, self.settings);
-        let viscosity =
-            T::Near::ratio(1, 256).times(settings.viscosity.min(if D == 2 { 128 } else { 72 }).into());
+        let tuning = const { Tuning::of::<D>() };
+        let viscosity = T::Near::ratio(1, 256).times(settings.viscosity.min(tuning.most_viscosity).into());
         self.order.sweep(
             self.particles,
             (T::Near::ZERO, Packed::<T, D>::ZERO),
@@ -48,14 +49,14 @@ impl<T: Compact, C: Container<T, D>, I: Index, const D: usize> BorrowedFluid<'_,
             |this, (weight, drag), other, (_, t)| {
                 let w = Poly6::of_complement(t);
                 *weight += w;
-                other.load = (T::Near::load_weight(other.load) + w).store_weight();
+                other.partial_density = (T::Near::load_weight(other.partial_density) + w).store_weight();
                 let difference = other.velocity.minus(this.velocity).unpack();
                 let pull = Packed::<T, D>::pack(scale(&difference, w * viscosity));
                 *drag = drag.plus(pull);
                 other.push = other.push.minus(pull);
             },
             |p, (weight, drag), reach| {
-                p.reach = reach;
+                p.neighbour_mask = reach;
                 finish_density(container, settings.cohesion, p, weight, drag.plus(p.push));
             },
         );
@@ -66,12 +67,12 @@ impl<T: Compact, C: Container<T, D>, I: Index, const D: usize> BorrowedFluid<'_,
         self.order.revisit(
             self.particles,
             T::Near::ZERO,
-            |p| p.reach,
+            |p| p.neighbour_mask,
             closeness,
             |_, sum, other, (_, t)| {
                 let w = Poly6::of_complement(t);
                 *sum += w;
-                other.load = (T::Near::load_weight(other.load) + w).store_weight();
+                other.partial_density = (T::Near::load_weight(other.partial_density) + w).store_weight();
             },
             |p, sum| finish_density(container, settings.cohesion, p, sum, Pack::ZERO),
         );
@@ -79,13 +80,14 @@ impl<T: Compact, C: Container<T, D>, I: Index, const D: usize> BorrowedFluid<'_,
 
     pub(super) fn correct(&mut self) {
         let container = self.container;
-        let limit = T::Near::ratio(1, 4);
-        let core = T::Near::ratio(21, 25);
+        let tuning = const { Tuning::of::<D>() };
+        let limit = ratio(tuning.longest_correction);
+        let core = ratio(tuning.core);
         let mut i = 0_usize;
         self.order.revisit(
             self.particles,
             Packed::<T, D>::ZERO,
-            |p| p.reach,
+            |p| p.neighbour_mask,
             closeness,
             |this, sum, other, (offset, t)| {
                 let pressure = T::Near::load(this.pressure) + T::Near::load(other.pressure);
@@ -93,7 +95,7 @@ impl<T: Compact, C: Container<T, D>, I: Index, const D: usize> BorrowedFluid<'_,
                 if t > core {
                     strength += t - core;
                     if t == T::Near::ONE {
-                        let parting = Packed::<T, D>::pack([T::Near::ratio(1, 64); D]);
+                        let parting = Packed::<T, D>::pack([ratio(tuning.parting); D]);
                         *sum = sum.plus(parting);
                         other.push = other.push.minus(parting);
                     }
@@ -103,7 +105,7 @@ impl<T: Compact, C: Container<T, D>, I: Index, const D: usize> BorrowedFluid<'_,
                 other.push = other.push.minus(push);
             },
             |p, sum| {
-                let way = sum.plus(p.push).unpack().map(|along| along.held(limit));
+                let way = sum.plus(p.push).unpack().map(|along| along.clamp_abs(limit));
                 p.advance(&way, p.velocity, (container, gap(i)));
                 i = i.wrapping_add(1);
                 p.push = Pack::ZERO;
@@ -123,11 +125,12 @@ fn finish_density<T: Compact, C: Container<T, D>, const D: usize>(
 ) {
     let wall = container.wall(&p.place);
     let share = wall.map_or(T::Near::ZERO, |wall| wall.share);
-    let (rest, gain) = if D == 2 { ((100, 305), (1, 1)) } else { ((100, 496), (17, 20)) };
-    let excess = (T::Near::ONE + weight + T::Near::load_weight(p.load)) * ratio(rest) + share - T::Near::ONE;
-    let raw = excess * ratio(gain) + T::Near::load(p.pressure) * ratio((3, 10));
-    let kept = T::Near::ratio(1, 256).times(cohesion.min(64).into());
-    let highest = ratio((1, 2));
+    let tuning = const { Tuning::of::<D>() };
+    let sum = T::Near::ONE + weight + T::Near::load_weight(p.partial_density);
+    let excess = sum * ratio(tuning.per_rest_sum) + share - T::Near::ONE;
+    let raw = excess * ratio(tuning.stiffness) + T::Near::load(p.pressure) * ratio(tuning.kept_pressure);
+    let kept = T::Near::ratio(1, 256).times(cohesion.min(tuning.most_cohesion).into());
+    let highest = ratio(tuning.highest_pressure);
     let pressure = if raw > highest {
         highest
     } else if raw > T::Near::ZERO {
@@ -136,17 +139,17 @@ fn finish_density<T: Compact, C: Container<T, D>, const D: usize>(
         raw * kept
     };
     p.pressure = pressure.store_low();
-    p.load = T::Near::NO_WEIGHT;
+    p.partial_density = T::Near::NO_WEIGHT;
     p.push = push;
     if let Some(wall) = wall {
-        let on_wall = pressure * ratio(if D == 2 { (8, 5) } else { (3, 2) });
-        p.push = push.plus(Pack::pack(wall.push.map(|along| along.evenly(on_wall))));
+        let on_wall = pressure * ratio(tuning.wall_push);
+        p.push = push.plus(Pack::pack(wall.push.map(|along| along.mul_rounded(on_wall))));
     }
 }
 
 /// How far from a wall the i-th particle is put back: 1/128 to 1/8, so that what a blow presses to a wall does not stay
 /// in one line with zero thickness.
 #[inline(always)]
-fn gap<N: Near>(i: usize) -> N {
+fn gap<N: NearUnit>(i: usize) -> N {
     N::ratio(1, 128).times((1 + (i & 15)) as i32)
 }

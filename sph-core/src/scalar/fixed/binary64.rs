@@ -1,4 +1,4 @@
-//! An f64 taken apart with integer operations alone, so that a processor without floating point links no such code for it.
+//! Converts an f64 with integer operations alone, so that a processor without floating point links no floating-point code.
 
 /// What an f64 is in units of 2^−`fraction_bits`, rounded to nearest, ties away from zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -4,9 +4,36 @@ use super::{Fixed, Sealed, Word, binary64};
 use crate::scalar::Table;
 use core::fmt::{Debug, Display};
 
-pub use ::fixed::types::{I4F12, I4F28, I8F24, I12F20, I16F16, I16F48, I20F12, I32F32};
+/// Calls a macro with the list of the formats: type, name and description of each, and then with what follows `;`. A new format
+/// is one line here.
+///
+/// ```
+/// macro_rules! names {
+///     ([$($Format:ident $name:tt $about:tt;)+]) => { [$($name),+] };
+/// }
+/// assert!(sph_core::for_each_format!(names).contains(&"i16f16"));
+/// ```
+#[macro_export]
+macro_rules! for_each_format {
+    ($($callback:tt)::+ $(; $($context:tt)*)?) => {
+        $($callback)::+! {
+            [
+                I4F12 "i4f12" "fixed point, 4 integer and 12 fraction bits, saturating";
+                I4F28 "i4f28" "fixed point, 4 integer and 28 fraction bits, saturating";
+                I8F24 "i8f24" "fixed point, 8 integer and 24 fraction bits, saturating";
+                I12F20 "i12f20" "fixed point, 12 integer and 20 fraction bits, saturating";
+                I16F16 "i16f16" "fixed point, 16 integer and 16 fraction bits, saturating";
+                I20F12 "i20f12" "fixed point, 20 integer and 12 fraction bits, saturating";
+                I16F48 "i16f48" "fixed point, 16 integer and 48 fraction bits, saturating";
+                I32F32 "i32f32" "fixed point, 32 integer and 32 fraction bits, saturating";
+            ]
+            $($($context)*)?
+        }
+    };
+}
 
-/// A signed type of the `fixed` crate that [`Fixed`] can be made of. Sealed: one line of the table in this file each.
+/// A signed type of the `fixed` crate that [`Fixed`] can be made of. Sealed: one line of [`for_each_format`](crate::for_each_format)
+/// each.
 pub trait Format: ::fixed::traits::FixedSigned<Bits: Word> + Debug + Display + Send + Sync + Sealed {
     /// 1
     const ONE: Self;
@@ -19,7 +46,9 @@ pub trait Format: ::fixed::traits::FixedSigned<Bits: Word> + Debug + Display + S
 }
 
 macro_rules! formats {
-    ($($Format:ident $name:literal),+ $(,)?) => {$(
+    ([$($Format:ident $name:tt $about:tt;)+]) => {$(
+        pub use ::fixed::types::$Format;
+
         impl Sealed for $Format {}
 
         impl Format for $Format {
@@ -54,13 +83,4 @@ macro_rules! formats {
     )+};
 }
 
-formats! {
-    I4F12 "i4f12",
-    I4F28 "i4f28",
-    I8F24 "i8f24",
-    I12F20 "i12f20",
-    I16F16 "i16f16",
-    I20F12 "i20f12",
-    I16F48 "i16f48",
-    I32F32 "i32f32",
-}
+for_each_format!(formats);

@@ -1,4 +1,4 @@
-//! Fixed point over the types of the `fixed` crate, with the answer to overflow chosen by type.
+//! Fixed point over the types of the `fixed` crate; a type parameter says what overflow does.
 //!
 //! A number is an integer count of 2^−FRAC. [`Saturating<I16F16>`](Saturating), [`Wrapping<I8F24>`](Wrapping) and
 //! [`Checked<I32F32>`](Checked) are all a [`Fixed`]; each is as large as the integer in it, and none ever panics.
@@ -42,6 +42,7 @@
 //! ```
 
 mod binary64;
+mod compact;
 mod format;
 mod mode;
 mod near;
@@ -58,7 +59,7 @@ use crate::{Arithmetic, Scalar};
 use binary64::Units;
 use core::cmp::Ordering;
 use core::marker::PhantomData;
-pub use format::{Format, I4F12, I4F28, I8F24, I12F20, I16F16, I16F48, I20F12, I32F32};
+pub use format::*; // the trait and all formats
 pub use mode::{Check, Overflow, Saturate, Wide, Wrap};
 pub use near::Near14;
 pub use packed::Packed14;

@@ -1,4 +1,4 @@
-//! What becomes of a result that does not fit: one zero-sized type for each answer.
+//! What becomes of a result that is out of range: one zero-sized type for each mode.
 
 use super::{Format, Sealed, Word};
 use core::fmt::Debug;

@@ -36,6 +36,15 @@ impl<F: Format, O: Overflow> Accumulator<Fixed<F, O>> for Sum<F, O> {
     fn total(self) -> Fixed<F, O> {
         Fixed::narrow(self.wide)
     }
+
+    #[inline]
+    fn scaled_total(self, a: Fixed<F, O>, b: Fixed<F, O>) -> Fixed<F, O> {
+        if O::STICKY && (a.is_nar() || b.is_nar() || F::Bits::is_poisoned(self.wide)) {
+            return Fixed::new(O::undefined());
+        }
+        let scaled = b.to_bits().times_sum(self.wide, F::FRAC_NBITS);
+        Fixed::narrow(a.to_bits().times_sum(scaled, F::FRAC_NBITS))
+    }
 }
 
 /// The sum so far as [`Accumulator::total`] gives it.

@@ -19,6 +19,10 @@ pub trait Word: Copy + Ord + super::Sealed + 'static {
     fn shifted(n: Self::Wide, bits: u32) -> Self::Wide;
     /// `sum + self`
     fn added_to(self, sum: Self::Wide) -> Self::Wide;
+    /// Whether a sum was put at [`POISON`](Self::POISON); terms added since do not hide it.
+    fn is_poisoned(sum: Self::Wide) -> bool;
+    /// The product with a sum over 2^`bits`, rounded, held at the ends of the wide type; `bits` is from 1 to the word's.
+    fn times_sum(self, sum: Self::Wide, bits: u32) -> Self::Wide;
     /// n times this word, exact.
     fn scaled(self, n: i32) -> Self::Wide;
     /// The product over 2^`bits`, rounded; `bits` is at least 1.
@@ -77,6 +81,28 @@ macro_rules! word {
             #[inline(always)]
             fn added_to(self, sum: $Wide) -> $Wide {
                 sum.wrapping_add(self.into())
+            }
+
+            #[inline(always)]
+            fn is_poisoned(sum: $Wide) -> bool {
+                sum < <$Wide>::MIN / 2
+            }
+
+            #[inline(always)]
+            fn times_sum(self, sum: $Wide, bits: u32) -> $Wide {
+                let factor = <$Wide>::from(self);
+                let high = sum.wrapping_shr(Self::BITS).wrapping_mul(factor);
+                let half = <$Wide>::from(1i8).wrapping_shl(bits.wrapping_sub(1));
+                let minus_one_if_negative = (sum ^ factor).wrapping_shr(<$Wide>::BITS - 1);
+                let low = <$Wide>::from(sum as $Unsigned).wrapping_mul(factor);
+                let low = low.wrapping_add(half).wrapping_add(minus_one_if_negative).wrapping_shr(bits);
+                let up = Self::BITS.wrapping_sub(bits);
+                let lifted = high.wrapping_shl(up);
+                if lifted.wrapping_shr(up) == high {
+                    lifted.saturating_add(low)
+                } else {
+                    high.wrapping_shr(<$Wide>::BITS - 1) ^ <$Wide>::MAX
+                }
             }
 
             #[inline(always)]

@@ -1,24 +1,21 @@
 //! Digests of every kernel: influence, gradient, and both together, at distances from 0 to beyond the support.
 
 use crate::{Fnv, Item, Scene};
-use sph_core::kernel::{
-    CubicSpline, Kernel, Poly6, QuarticSpline, QuinticSpline, Spiky, Tabulated, ViscosityLaplacian,
-    WendlandC2, WendlandC4, WendlandC6,
-};
+use sph_core::kernel::{self, Kernel, Tabulated, ViscosityLaplacian, WendlandC2};
 use sph_core::{Error, Influence, KernelInfluence, Scalar, ball};
 
 /// How many distances.
 const STEPS: i32 = 40;
 
 pub(crate) fn digest<T: Scalar, const D: usize>(emit: &mut impl FnMut(Item)) -> Result<(), Error> {
-    emit(of::<T, D, Poly6>("poly6")?);
-    emit(of::<T, D, Spiky>("spiky")?);
-    emit(of::<T, D, CubicSpline>("cubic-spline")?);
-    emit(of::<T, D, QuarticSpline>("quartic-spline")?);
-    emit(of::<T, D, QuinticSpline>("quintic-spline")?);
-    emit(of::<T, D, WendlandC2>("wendland-c2")?);
-    emit(of::<T, D, WendlandC4>("wendland-c4")?);
-    emit(of::<T, D, WendlandC6>("wendland-c6")?);
+    macro_rules! all {
+        ([$($module:ident $Kernel:ident $name:tt $about:tt;)+]) => {$(
+            if !kernel::$Kernel::SINGULAR {
+                emit(of::<T, D, kernel::$Kernel>($name)?);
+            }
+        )+};
+    }
+    sph_core::for_each_kernel!(all);
     emit(of::<T, D, Tabulated<WendlandC2, 65>>("wendland-c2-table")?);
     emit(laplacian::<T, D>()?);
     Ok(())

@@ -7,7 +7,7 @@ use fluisim_firmware as _;
 use sph_core::kernel::WendlandC2;
 use sph_core::scalar::fast::Fast32;
 use sph_core::scalar::fixed::{Checked, I4F12, I8F24, I16F16, I32F32, Saturating, Wrapping};
-use sph_core::{Influence, KernelInfluence, Scalar};
+use sph_core::{Arithmetic, Influence, KernelInfluence, Scalar};
 
 /// √2 and W(h/2) for h = 1 to the given errors, and what every scalar has in common.
 fn is_right<T: Scalar>(root_error: f64, kernel_error: f64) -> bool {
@@ -42,6 +42,19 @@ mod tests {
         assert!(is_right::<Checked<I8F24>>(1e-7, 1e-6));
         assert!(is_right::<Wrapping<I4F12>>(3e-4, 3e-3));
         assert!(is_right::<Saturating<I32F32>>(1e-9, 1e-8));
+    }
+
+    /// 2.5 · 1.5 − 1/4 is in the range of every format, and exact.
+    #[test]
+    fn every_format_calculates() {
+        macro_rules! calculate {
+            ([$($Format:ident $name:tt $about:tt;)+]) => {$(
+                type $Format = Saturating<sph_core::scalar::fixed::$Format>;
+                let product = $Format::ratio(5, 2) * $Format::ratio(3, 2) - $Format::ratio(1, 4);
+                assert_eq!(product.to_f64(), 3.5, $name);
+            )+};
+        }
+        sph_core::for_each_format!(calculate);
     }
 
     #[test]

@@ -11,14 +11,14 @@ use core::mem::size_of;
 
 /// Calls a generic check for every format under every mode.
 macro_rules! every {
-    ($check:ident($($argument:expr),*)) => {
-        every!($check($($argument),*): I4F12, I4F28, I8F24, I12F20, I16F16, I20F12, I16F48, I32F32)
+    ($check:ident $arguments:tt) => {
+        crate::for_each_format!(every; $check $arguments)
     };
-    ($check:ident $arguments:tt: $($Format:ty),*) => {$(
+    ([$($Format:ident $name:tt $about:tt;)+] $check:ident $arguments:tt) => {$(
         every!(one $check, $Format, Wrap, $arguments);
         every!(one $check, $Format, Saturate, $arguments);
         every!(one $check, $Format, Check, $arguments);
-    )*};
+    )+};
     (one $check:ident, $Format:ty, $Mode:ty, ($($argument:expr),*)) => {
         $check::<$Format, $Mode>($($argument),*)
     };

@@ -1,4 +1,4 @@
-//! What tells the modes and formats apart.
+//! The differences between modes and between formats.
 
 use super::*;
 use std::string::ToString;

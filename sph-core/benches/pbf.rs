@@ -1,9 +1,9 @@
 //! A dam break on a display of 32 × 16 lamps, then figures: at rest, shaken for 100,000 frames, and its drift.
 //!
-//! `cargo run --release -p sph-core --features fixed --example pbf`
+//! `cargo bench -p sph-core --features fixed --bench pbf`
 
 #[path = "../tests/pbf/measure.rs"]
-#[allow(dead_code)]
+#[allow(dead_code, reason = "the tests use the rest")]
 mod measure;
 
 use measure::{Noise, at, block, dam_break, drift, extremes, state};
