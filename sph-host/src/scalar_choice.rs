@@ -21,6 +21,18 @@ pub enum ScalarName {
     I32f32,
 }
 
+impl ScalarName {
+    /// All scalars.
+    pub const ALL: &'static [Self] =
+        &[Self::F64, Self::F32, Self::Fast32, Self::I16f16, Self::I8f24, Self::I4f28, Self::I32f32];
+
+    /// The name on the command line, such as `i16f16`.
+    #[must_use]
+    pub fn name(self) -> String {
+        self.to_possible_value().map_or_else(String::new, |value| value.get_name().to_owned())
+    }
+}
+
 /// Evaluates an expression with `T` standing for the type of a [`ScalarName`].
 macro_rules! with_scalar {
     ($name:expr, $T:ident => $body:expr) => {{
