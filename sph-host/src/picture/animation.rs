@@ -25,7 +25,7 @@ use super::Image;
 pub struct Animation<W: Write> {
     encoder: gif::Encoder<W>,
     size: (u16, u16),
-    /// Hundredths of a second.
+    /// How long a frame stays, in hundredths of a second.
     delay: u16,
 }
 

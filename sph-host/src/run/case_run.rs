@@ -58,12 +58,39 @@ impl<'a, const D: usize> CaseRun<'a, D> {
     }
 
     /// How many frames the whole run has: the one at the start, and one at the end where the end is between two.
-    pub(super) fn all_frames(&self) -> u64 {
+    fn all_frames(&self) -> u64 {
         (self.time / self.every * (1.0 - 1e-12)).ceil() as u64 + 1
     }
 
+    /// Goes on to the last frame, and gives each new frame to `add`; `now` is the fluid where the run stands, if it has begun. Returns
+    /// the fluid at the end.
+    pub(super) fn go_on(
+        &mut self,
+        now: Option<Snapshot<D>>,
+        progress: &dyn Progress,
+        mut add: impl FnMut(&Self, &Snapshot<D>) -> Result<(), Error>,
+    ) -> Result<Snapshot<D>, Error> {
+        let frames = self.all_frames();
+        let rows = |frames: u64| frames.saturating_sub(1) * ROWS_A_FRAME;
+        progress.begin(rows(frames), rows(self.frames.min(frames)));
+        let mut last = match now {
+            Some(now) => now,
+            None => {
+                let first = self.next_frame(progress)?;
+                add(self, &first)?;
+                first
+            }
+        };
+        while self.frames < frames {
+            last = self.next_frame(progress)?;
+            add(self, &last)?;
+        }
+        progress.end();
+        Ok(last)
+    }
+
     /// Goes on to the next frame; the first is the start. Forces are worked out anew at each frame, as a resumed run has them.
-    pub(super) fn next_frame(&mut self, progress: &dyn Progress) -> Result<Snapshot<D>, Error> {
+    fn next_frame(&mut self, progress: &dyn Progress) -> Result<Snapshot<D>, Error> {
         if self.frames == 0 {
             self.frames = 1;
             return self.measure();

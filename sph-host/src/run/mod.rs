@@ -9,7 +9,7 @@
 //! 1. `options`: what is asked for. `parameters`: what that comes to, with the defaults of the case (`case`, one file for each; what a
 //!    case has to say is in `definition`) and of the solver (`solver`, made by `method`).
 //! 2. `case_run`: steps, rows of the series (`series`, with what `diagnostics` and the case measure), frames.
-//! 3. `folder`: the files of a run. `frame`: a frame as a file and back. `gallery`: pictures (`drawing`), drawn beside the steps.
+//! 3. `destination`: the run into its directory. `folder`: the files of a run. `frame`: a frame as a file and back. `gallery`: pictures (`drawing`), drawn beside the steps.
 //! 4. `summary`: the result, with each `check`.
 //!
 //! A run that was stopped goes on from its last whole frame (`resume`) and ends with the bits of one that was not: forces are
@@ -19,6 +19,7 @@ mod case;
 mod case_run;
 mod check;
 mod definition;
+mod destination;
 mod diagnostics;
 mod drawing;
 mod error;
@@ -49,15 +50,12 @@ pub use summary::Summary;
 
 use std::time::Instant;
 
-use crate::engine::Snapshot;
 use crate::progress::Progress;
 use case_run::CaseRun;
-use definition::{Case, Form};
-use folder::{RunFolder, Spent};
-use gallery::{Draw, Gallery};
+use definition::Form;
+use destination::Destination;
+use folder::RunFolder;
 use parameters::Parameters;
-use resume::{Expected, Whole};
-use series::ROWS_A_FRAME;
 
 /// Simulates a case into a directory. `progress` counts rows of the series.
 ///
@@ -97,15 +95,6 @@ pub fn simulate(options: &Options, progress: &dyn Progress) -> Result<(Summary, 
     start(options, None, progress)
 }
 
-/// Where results go, and what is there already.
-struct Destination {
-    folder: RunFolder,
-    earlier: Earlier,
-    /// Whether an earlier run goes on.
-    is_begun: bool,
-    pictures: bool,
-}
-
 fn start(
     options: &Options,
     destination: Option<&Destination>,
@@ -135,135 +124,9 @@ fn simulate_form<const D: usize>(
     let summary = match destination {
         Some(destination) => destination.simulate(&mut run, &*case, parameters, progress)?,
         None => {
-            let last = steps(&mut run, None, progress, |_, _| Ok(()))?;
+            let last = run.go_on(None, progress, |_, _| Ok(()))?;
             Summary::new(&run, &last, parameters, start.elapsed().as_secs_f64())
         }
     };
     Ok((summary, run.series))
-}
-
-/// Goes on to the last frame, and gives each new frame to `add`. Returns the fluid at the end.
-fn steps<const D: usize>(
-    run: &mut CaseRun<D>,
-    before: Option<Snapshot<D>>,
-    progress: &dyn Progress,
-    mut add: impl FnMut(&CaseRun<D>, &Snapshot<D>) -> Result<(), Error>,
-) -> Result<Snapshot<D>, Error> {
-    let frames = run.all_frames();
-    let rows = |frames: u64| frames.saturating_sub(1) * ROWS_A_FRAME;
-    progress.begin(rows(frames), rows(run.frames).min(rows(frames)));
-    let mut last = match before {
-        Some(before) => before,
-        None => {
-            let first = run.next_frame(progress)?;
-            add(run, &first)?;
-            first
-        }
-    };
-    while run.frames < frames {
-        last = run.next_frame(progress)?;
-        add(run, &last)?;
-    }
-    progress.end();
-    Ok(last)
-}
-
-impl Destination {
-    /// Simulates into the directory: on from what is whole of an earlier run, if it is to go on.
-    fn simulate<const D: usize>(
-        &self,
-        run: &mut CaseRun<D>,
-        case: &dyn Case<D>,
-        parameters: &Parameters,
-        progress: &dyn Progress,
-    ) -> Result<Summary, Error> {
-        let (start, folder) = (Instant::now(), &self.folder);
-        self.make_ready()?;
-        folder.write_parameters(parameters)?;
-        let (before, spent) = self.go_on(run, parameters, progress)?;
-        let wall = || spent.wall + start.elapsed().as_secs_f64();
-        let begun = run.frames;
-        let gallery = Gallery { case, name: parameters.case, folder, every: parameters.every };
-        let frames = |run: &mut CaseRun<D>, draw: &Draw<D>| {
-            steps(run, before, progress, |run, now| {
-                folder.add_frame(run, now, parameters, wall())?;
-                draw(run.frames - 1, now)
-            })
-        };
-        let last = if self.pictures {
-            gallery.draw_beside(|draw| frames(run, draw))?
-        } else {
-            frames(run, &|_, _| Ok(()))?
-        };
-        folder.remove_after(run.frames)?;
-        let mut summary = Summary::new(run, &last, parameters, wall());
-        if self.pictures {
-            gallery.write_plot(run, &last)?;
-            gallery.write_animation(run.frames, &last)?;
-        } else if run.frames > begun {
-            folder.remove_end_pictures(parameters.case)?;
-        }
-        folder.write_summary(&summary.json)?;
-        summary.files = self.files(run.frames, parameters.case);
-        Ok(summary)
-    }
-
-    /// Makes the directory, and removes what is not to stay there.
-    fn make_ready(&self) -> Result<(), Error> {
-        match self.earlier {
-            Earlier::Keep => self.folder.require_free()?,
-            Earlier::Resume => self.folder.remove_unfinished()?,
-            Earlier::Replace => {
-                self.folder.clear()?;
-                self.folder.remove_unfinished()?;
-            }
-        }
-        self.folder.make()
-    }
-
-    /// Brings a run to the last frame that is whole, if there is one: the fluid there, and what was spent before.
-    fn go_on<const D: usize>(
-        &self,
-        run: &mut CaseRun<D>,
-        parameters: &Parameters,
-        progress: &dyn Progress,
-    ) -> Result<(Option<Snapshot<D>>, Spent), Error> {
-        if !self.is_begun {
-            return Ok((None, Spent::default()));
-        }
-        let expected = Expected {
-            columns: &run.series.columns,
-            particles: run.setup.positions.len(),
-            every: parameters.every,
-        };
-        let Some(whole) = Whole::find(&self.folder, &expected, progress) else {
-            return Ok((None, Spent::default()));
-        };
-        let spent = self.folder.spent();
-        run.stepping = spent.stepping;
-        let Whole { frames, rows, snapshot } = whole;
-        run.go_on_from(&snapshot, frames, rows)?;
-        let missing = if self.pictures { resume::missing_pictures(&self.folder, frames) } else { 0 };
-        if missing > 0 {
-            let path = self.folder.path().display();
-            progress
-                .note(&format!("{path}: {missing} pictures are missing or cut short and are drawn again"));
-        }
-        Ok((Some(snapshot), spent))
-    }
-
-    /// The files to look at.
-    fn files(&self, frames: u64, case: CaseName) -> Vec<(&'static str, std::path::PathBuf)> {
-        let folder = &self.folder;
-        let collection = ("for ParaView", folder.collection());
-        if !self.pictures {
-            return vec![("time series", folder.series()), collection];
-        }
-        vec![
-            ("picture", folder.picture(frames - 1)),
-            ("animation", folder.animation()),
-            ("plot", folder.plot(case)),
-            collection,
-        ]
-    }
 }

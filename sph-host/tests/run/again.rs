@@ -1,6 +1,5 @@
 //! The same run again: other threads, interrupted and resumed, in a directory that is taken.
 
-
 use crate::support::Folder;
 
 const RUN: &str = "run --resolution 8 --every 0.004";
