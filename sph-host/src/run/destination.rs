@@ -96,15 +96,14 @@ impl Destination {
         let Some(whole) = Whole::find(&self.folder, &expected, progress) else {
             return Ok((None, Spent::default()));
         };
-        let spent = self.folder.spent();
+        let spent = self.folder.spent(progress);
         run.stepping = spent.stepping;
         let Whole { frames, rows, snapshot } = whole;
         run.go_on_from(&snapshot, frames, rows)?;
         let missing = if self.pictures { resume::missing_pictures(&self.folder, frames) } else { 0 };
         if missing > 0 {
             let path = self.folder.path().display();
-            progress
-                .note(&format!("{path}: {missing} pictures are missing or cut short and are drawn again"));
+            progress.note(&format!("{path}: drawing again what is missing or cut short: {missing} pictures"));
         }
         Ok((Some(snapshot), spent))
     }

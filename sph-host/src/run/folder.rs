@@ -161,11 +161,16 @@ impl RunFolder {
     }
 
     /// What was spent on the run so far; nothing where that is not known.
-    pub(super) fn spent(&self) -> Spent {
-        let json = fs::read(self.path.join(CHECKPOINT)).ok();
+    pub(super) fn spent(&self, progress: &dyn Progress) -> Spent {
+        let path = self.path.join(CHECKPOINT);
+        let json = fs::read(&path).ok();
         let json: Value = json.and_then(|bytes| serde_json::from_slice(&bytes).ok()).unwrap_or_default();
-        let seconds = |name: &str| json[name].as_f64().unwrap_or(0.0);
-        Spent { wall: seconds("wall_s"), stepping: seconds("stepping_s") }
+        let [wall, stepping] = ["wall_s", "stepping_s"].map(|name| json[name].as_f64());
+        if wall.is_none() || stepping.is_none() {
+            let what = if path.exists() { "is damaged" } else { "is missing" };
+            progress.note(&format!("{} {what}: the time spent so far is not known", path.display()));
+        }
+        Spent { wall: wall.unwrap_or(0.0), stepping: stepping.unwrap_or(0.0) }
     }
 
     /// Writes the newest frame and all that goes with it but the picture.

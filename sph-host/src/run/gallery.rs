@@ -16,6 +16,7 @@ use super::definition::Case;
 use super::error::Error;
 use super::folder::{RunFolder, failed, target, write_png};
 use super::frame;
+use super::resume::is_whole_picture;
 use super::series::{ROWS_A_FRAME, time_of_row};
 use crate::engine::Snapshot;
 use crate::picture::animation::{Animation, EncodedFrame};
@@ -96,9 +97,9 @@ impl<const D: usize> Gallery<'_, D> {
     /// the newest frame.
     pub(super) fn write_animation(&self, frames: u64, last: &Snapshot<D>) -> Result<(), Error> {
         let image = |number: u64| match read_png(&self.folder.picture(number)) {
-            Ok(image) => Ok(image),
-            Err(_) if number + 1 == frames => self.draw(number, last),
-            Err(_) => {
+            Ok(image) if is_whole_picture(&self.folder.picture(number)) => Ok(image),
+            _ if number + 1 == frames => self.draw(number, last),
+            _ => {
                 let time = time_of_row(self.every, number * ROWS_A_FRAME);
                 self.draw(number, &frame::restore(&self.folder.frame(number), time)?)
             }
@@ -141,5 +142,8 @@ fn read_png(path: &Path) -> Result<Image, Error> {
     let (width, height) = (reader.info().width, reader.info().height);
     let mut rgb = vec![0; reader.output_buffer_size().unwrap_or(0)];
     reader.next_frame(&mut rgb).map_err(damaged)?;
+    if rgb.len() as u64 != 3 * u64::from(width) * u64::from(height) {
+        return Err(failed(path)(io::Error::other("not a picture of this run")));
+    }
     Ok(Image { width, height, rgb })
 }

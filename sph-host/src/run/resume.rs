@@ -75,8 +75,13 @@ impl<const D: usize> Whole<D> {
 
 /// The pictures among the first `frames` that are missing or cut short.
 pub(super) fn missing_pictures(folder: &RunFolder, frames: u64) -> u64 {
-    let is_missing = |&number: &u64| !is_whole(&folder.picture(number), END_OF_PICTURE, &mut Vec::new());
+    let is_missing = |&number: &u64| !is_whole_picture(&folder.picture(number));
     (0..frames).filter(is_missing).count() as u64
+}
+
+/// Whether a picture is there and not cut short. Decoders take one that lacks its last bytes.
+pub(super) fn is_whole_picture(path: &Path) -> bool {
+    is_whole(path, END_OF_PICTURE, &mut Vec::new())
 }
 
 /// Whether a file is there and ends as it must; if not, adds to the damages what is wrong with it.

@@ -73,6 +73,7 @@ fn what_is_lost_is_told() {
         ("series.csv", Left::NoBytes, "has other columns: beginning anew"),
         ("series.csv", Left::AllButOneByte, "is cut short: going on from frame 1, at 0.004 s"),
         ("run.json", Left::Half, "is damaged"),
+        ("checkpoint.json", Left::Half, "is damaged: the time spent so far is not known"),
         ("run.json", Left::Nothing, "is missing"),
     ] {
         folder.succeed(&format!("{RUN} --time 0.008 --out dam --no-pictures --force"));
@@ -105,9 +106,9 @@ fn numbers_that_changed_are_found_by_their_file() {
     assert!(said.stderr.contains("frame_0002.vtu"), "{}", said.stderr);
     // a digit more in the series
     let series = String::from_utf8(folder.bytes("parted/series.csv")).unwrap();
-    folder.write("parted/series.csv", series.replacen("\n0.009,", "\n0.0091,", 1));
+    folder.write("parted/series.csv", series.replacen("\n0.007,", "\n0.0071,", 1));
     let said = folder.succeed("run --time 0.016 --out parted --resume --no-pictures");
-    assert!(said.stderr.contains("series.csv has another time in line 11"), "{}", said.stderr);
+    assert!(said.stderr.contains("series.csv has another time in line 9"), "{}", said.stderr);
     assert_same(&folder, &["series.csv", "frame_0002.vtu", "frame_0004.vtu"], "changed");
 }
 
@@ -124,7 +125,7 @@ fn pictures_that_are_lost_are_drawn_again() {
     damage(&folder, "parted/front.png", Left::Nothing);
     let said = folder.succeed("run --time 0.016 --out parted --resume");
     assert!(
-        said.stderr.contains("4 pictures are missing or cut short and are drawn again"),
+        said.stderr.contains("drawing again what is missing or cut short: 4 pictures"),
         "{}",
         said.stderr
     );

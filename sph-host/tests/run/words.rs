@@ -87,13 +87,6 @@ fn a_place_that_is_no_directory_is_an_error() {
 }
 
 #[test]
-fn more_threads_than_the_system_has_are_an_error() {
-    let folder = Folder::new();
-    let words = "run --resolution 8 --time 0.001 --threads 10000000 --out dam";
-    folder.fail_with(1, words, &["--threads 10000000"]);
-}
-
-#[test]
 fn what_the_run_did_not_come_to_is_not_measured() {
     let folder = Folder::new();
     for (words, measured) in [
