@@ -49,7 +49,7 @@ impl RunFolder {
         }
     }
 
-    pub(super) fn path(&self) -> &PathBuf {
+    pub(super) fn path(&self) -> &Path {
         &self.path
     }
 

@@ -1,6 +1,6 @@
 //! What is asked for, and what that comes to.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use super::case::CaseName;
 use super::error::Error;
@@ -75,9 +75,9 @@ impl Options {
     }
 
     /// These options with those of an earlier run for what is not given.
-    pub(super) fn going_on(mut self, stored: &Parameters, directory: &PathBuf) -> Result<Self, Error> {
+    pub(super) fn going_on(mut self, stored: &Parameters, directory: &Path) -> Result<Self, Error> {
         let differs = |parameter, stored: String, given: String| {
-            Err(Error::OtherRun { directory: directory.clone(), parameter, stored, given })
+            Err(Error::OtherRun { directory: directory.to_owned(), parameter, stored, given })
         };
         macro_rules! take {
             ($name:ident, $shown:expr) => {

@@ -137,7 +137,7 @@ mod tests {
             let section = section.unwrap_or_else(|| panic!("no section titled {title}"));
             assert!(section.lines().filter(|line| line.starts_with('|')).count() > 2, "{case}: no table");
             for solver in &case.solvers()[1..] {
-                assert!(section.contains(&format!("--solver {solver}")), "{case}: nothing on {solver}");
+                assert!(section.contains(&format!("solver {solver}")), "{case}: nothing on {solver}");
             }
         }
     }
