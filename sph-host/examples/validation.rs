@@ -3,9 +3,8 @@
 //! `cargo run --release -p sph-host --example validation`, with the name of a case for that case alone. Takes some minutes.
 
 use std::error::Error;
-use std::path::Path;
 
-use sph_host::run::{self, CaseName, Options};
+use sph_host::run::{self, CaseName, Options, Series};
 
 /// A case, its resolutions, and the column of the series that is compared with that of the finest.
 const CASES: [(CaseName, [u32; 3], &str); 5] = [
@@ -32,13 +31,12 @@ fn report(case: CaseName, resolutions: [u32; 3], column: &str) -> Result<(), Box
     println!("| {} | {coarse} | {middle} | {fine} | goal |\n|---|---|---|---|---|", case.name());
     let mut runs = Vec::new();
     for resolution in resolutions {
-        let out = tempfile::tempdir()?;
-        let options = Options { resolution: Some(resolution), ..Options::new(case, out.path().to_owned()) };
-        let summary = run::run(&options, &())?;
-        runs.push((summary, read(out.path(), column)?));
+        let options = Options { resolution: Some(resolution), ..Options::new(case) };
+        let (summary, series) = run::simulate(&options, &())?;
+        runs.push((summary, values(&series, column)));
     }
     for (k, check) in runs[0].0.checks.iter().enumerate() {
-        let values = runs.iter().map(|(summary, _)| summary.checks[k].value);
+        let values = runs.iter().map(|(summary, _)| summary.checks[k].value.unwrap_or(f64::NAN));
         println!("| {} | {} | {} |", check.name, cells(values), check.goal);
     }
     println!("| {column} at the end | {} | |", cells(runs.iter().map(|(_, rows)| rows[rows.len() - 1])));
@@ -60,12 +58,6 @@ fn cells(values: impl Iterator<Item = f64>) -> String {
 }
 
 /// A column of the series without its first row, at which all errors are zero.
-fn read(folder: &Path, column: &str) -> Result<Vec<f64>, Box<dyn Error>> {
-    let mut reader = csv::Reader::from_path(folder.join("series.csv"))?;
-    let index = reader.headers()?.iter().position(|name| name == column).ok_or("no such column")?;
-    let mut values = Vec::new();
-    for record in reader.records().skip(1) {
-        values.push(record?[index].parse()?);
-    }
-    if values.is_empty() { Err("no rows".into()) } else { Ok(values) }
+fn values(series: &Series, column: &str) -> Vec<f64> {
+    series.column(column).into_iter().skip(1).map(|point| point[1]).collect()
 }

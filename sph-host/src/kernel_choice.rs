@@ -1,16 +1,16 @@
 //! The kernels by name, and an influence whose kernel is chosen when the program runs.
 
-use clap::ValueEnum;
 use sph_core::kernel::{self, Kernel};
 use sph_core::{Error, Influence, InfluenceOf, KernelInfluence, Scalar};
+
+use crate::named_enum::named_enum;
 
 /// What follows from the list of kernels: [`KernelName`] and the variants of [`AnyInfluence`].
 macro_rules! choices {
     ([$($module:ident $Kernel:ident $name:tt $about:tt;)+]) => {
-        /// A kernel as the command line names it.
-        #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-        pub enum KernelName {
-            $(#[doc = $about] #[value(name = $name)] $Kernel,)+
+        named_enum! {
+            /// A kernel by its name.
+            KernelName { $($Kernel, $name, $about;)+ }
         }
 
         #[derive(Clone, Copy, Debug)]
@@ -47,12 +47,6 @@ macro_rules! with_kernel {
 pub(crate) use with_kernel;
 
 impl KernelName {
-    /// The name on the command line, such as `cubic-spline`.
-    #[must_use]
-    pub fn name(self) -> String {
-        self.to_possible_value().map_or_else(String::new, |value| value.get_name().to_owned())
-    }
-
     /// Whether the kernel diverges at r = 0, so that nothing can be interpolated with it.
     #[must_use]
     pub fn is_singular(self) -> bool {
@@ -182,12 +176,9 @@ mod tests {
 
     #[test]
     fn names_are_those_of_the_list() {
-        let names: Vec<String> = KernelName::value_variants().iter().map(|kernel| kernel.name()).collect();
-        let listed: Vec<&str> = kernel::LIST.iter().map(|(name, _)| *name).collect();
-        assert_eq!(names, listed);
-        assert!(names.iter().any(|name| name == "cubic-spline"));
-        let help = KernelName::Poly6.to_possible_value().unwrap();
-        assert_eq!(help.get_help().unwrap().to_string(), kernel::LIST[0].1);
+        let names: Vec<_> = KernelName::ALL.iter().map(|kernel| (kernel.name(), kernel.about())).collect();
+        assert_eq!(names, kernel::LIST);
+        assert_eq!(KernelName::CubicSpline.to_string(), "cubic-spline");
     }
 
     #[test]

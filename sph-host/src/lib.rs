@@ -10,6 +10,7 @@ pub mod failure;
 pub mod fast;
 pub mod io;
 pub mod kernel_choice;
+mod named_enum;
 pub mod output;
 mod parallel;
 pub mod picture;

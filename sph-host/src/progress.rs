@@ -30,6 +30,9 @@ pub trait Progress: Sync {
 
     /// There is nothing left to do.
     fn end(&self) {}
+
+    /// Something that the one who waits should know: a sentence without its full stop.
+    fn note(&self, _: &str) {}
 }
 
 impl Progress for () {

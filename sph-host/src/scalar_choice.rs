@@ -1,15 +1,15 @@
 //! The scalars by name.
 
-use clap::ValueEnum;
 use sph_core::Scalar;
+
+use crate::named_enum::named_enum;
 
 /// The enum of the listed scalars.
 macro_rules! choices {
     ([$($Name:ident: $Scalar:ty, $about:tt;)+]) => {
-        /// A number type as the command line names it.
-        #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-        pub enum ScalarName {
-            $(#[doc = $about] #[value(name = <$Scalar as Scalar>::NAME)] $Name,)+
+        named_enum! {
+            /// A number type by its name.
+            ScalarName { $($Name, <$Scalar as Scalar>::NAME, $about;)+ }
         }
     };
 }
@@ -37,10 +37,9 @@ mod tests {
 
     #[test]
     fn names_are_those_of_the_types() {
-        for &scalar in ScalarName::value_variants() {
-            let shown = scalar.to_possible_value().unwrap();
-            assert_eq!(shown.get_name(), with_scalar!(scalar, T => T::NAME));
-            assert!(shown.get_help().is_some_and(|about| about.to_string().contains("point")));
+        for &scalar in ScalarName::ALL {
+            assert_eq!(scalar.name(), with_scalar!(scalar, T => T::NAME));
+            assert!(scalar.about().contains("point"));
         }
     }
 }

@@ -56,7 +56,7 @@ impl Row {
         let number = |value: f64| shortest(value, Precision::F64);
         let at_zero = if self.kernel.is_singular() { f64::NAN } else { self.kernel.profile(self.dim, 0.0) };
         [
-            self.kernel.name(),
+            self.kernel.name().to_owned(),
             self.dim.to_string(),
             number(self.kernel.normalisation(self.dim)),
             number(self.kernel.support_ratio()),
@@ -77,7 +77,7 @@ pub(super) fn run(args: &KernelsArgs) -> Result<(), Failure> {
     }
     let rows: Vec<Row> = dims
         .iter()
-        .flat_map(|&dim| KernelName::value_variants().iter().map(move |&kernel| Row { kernel, dim }))
+        .flat_map(|&dim| KernelName::ALL.iter().map(move |&kernel| Row { kernel, dim }))
         // the viscosity kernel has no norm in one dimension
         .filter(|row| !(row.kernel.is_singular() && row.dim == 1))
         .collect();
@@ -112,7 +112,7 @@ fn draw(dim: u32, target: &Target) -> Result<(), Failure> {
         title: title.into(),
         x_title: "q = r / h".into(),
         y_title: y_title.into(),
-        series: KernelName::value_variants().iter().map(|&kernel| series(kernel, f)).collect(),
+        series: KernelName::ALL.iter().map(|&kernel| series(kernel, f)).collect(),
         x_range: Some([0.0, 1.0]),
         y_range: Some(y_range),
     };
@@ -125,5 +125,5 @@ fn draw(dim: u32, target: &Target) -> Result<(), Failure> {
 
 fn series(kernel: KernelName, f: &dyn Fn(KernelName, f64) -> f64) -> Series {
     let points = (1..=300).map(|i| f64::from(i) / 300.0).map(|q| [q, f(kernel, q)]).collect();
-    Series { name: kernel.name(), points, mark: Mark::Line }
+    Series { name: kernel.name().to_owned(), points, mark: Mark::Line }
 }

@@ -1,5 +1,6 @@
 //! The command line of `fluisim`: words in, exit status out. The work is done elsewhere.
 
+mod choices;
 mod kernels;
 mod parse;
 mod progress;

@@ -33,4 +33,8 @@ impl Progress for Bar {
     fn end(&self) {
         self.0.finish_and_clear();
     }
+
+    fn note(&self, note: &str) {
+        self.0.suspend(|| super::say(&format!("note: {note}")));
+    }
 }

@@ -37,6 +37,17 @@ pub fn cleanup_on_interrupt() -> Result<(), ctrlc::Error> {
     }
 }
 
+/// How the names of temporary files begin and end; between are letters and digits.
+const PREFIX: &str = ".fluisim-";
+const SUFFIX: &str = ".part";
+
+/// Whether a path has the name of a temporary file of this module, as one that was killed leaves behind.
+pub(crate) fn is_unfinished(path: &Path) -> bool {
+    let name = path.file_name().and_then(|name| name.to_str()).unwrap_or_default();
+    let between = name.strip_prefix(PREFIX).and_then(|name| name.strip_suffix(SUFFIX)).unwrap_or_default();
+    !between.is_empty() && between.bytes().all(|byte| byte.is_ascii_alphanumeric())
+}
+
 /// A temporary file in `directory` that is removed when dropped and on an interrupt.
 pub(super) struct Unfinished(Option<NamedTempFile>);
 
@@ -44,7 +55,7 @@ impl Unfinished {
     /// Begins a file with the permissions of an ordinary one.
     pub(super) fn begin(directory: &Path) -> io::Result<Self> {
         let mut builder = tempfile::Builder::new();
-        builder.prefix(".fluisim-").suffix(".part");
+        builder.prefix(PREFIX).suffix(SUFFIX);
         #[cfg(unix)]
         builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
         let mut paths = unfinished();

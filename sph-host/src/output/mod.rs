@@ -38,6 +38,7 @@ mod vtk_xml;
 pub use csv::write_csv;
 pub use format::{ENDINGS, FORMATS, Format};
 pub use interrupt::cleanup_on_interrupt;
+pub(crate) use interrupt::is_unfinished;
 pub use number::shortest;
 pub use png::MOST_IN_PICTURE;
 pub use table::{Column, Grid, GridError, Precision, Table, TableError};

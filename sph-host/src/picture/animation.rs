@@ -25,8 +25,32 @@ use super::Image;
 pub struct Animation<W: Write> {
     encoder: gif::Encoder<W>,
     size: (u16, u16),
-    /// Hundredths of a second.
+    /// How long a frame stays, in hundredths of a second.
     delay: u16,
+}
+
+/// A picture as a frame of a GIF. Frames are independent of each other, so threads can encode several at a time.
+pub struct EncodedFrame(gif::Frame<'static>);
+
+impl EncodedFrame {
+    /// Chooses the colours and compresses.
+    ///
+    /// # Errors
+    ///
+    /// A picture too large for a GIF, or whose pixels do not fill it, as [`io::ErrorKind::InvalidInput`].
+    pub fn of(image: &Image) -> io::Result<Self> {
+        let Image { width, height, ref rgb } = *image;
+        let (Ok(across), Ok(down)) = (u16::try_from(width), u16::try_from(height)) else {
+            return Err(too_large(width, height));
+        };
+        let pixels = usize::from(across) * usize::from(down);
+        if rgb.len() != 3 * pixels {
+            return Err(invalid(format!("{} bytes for {pixels} pixels, expected {}", rgb.len(), 3 * pixels)));
+        }
+        let mut frame = gif::Frame::from_rgb_speed(across, down, rgb, SPEED);
+        frame.make_lzw_pre_encoded();
+        Ok(Self(frame))
+    }
 }
 
 /// How fast colours are chosen, 1 (best) to 30.
@@ -41,8 +65,7 @@ impl<W: Write> Animation<W> {
     /// Sizes that GIF cannot hold (65535 pixels at most), as [`io::ErrorKind::InvalidInput`], and what `writer` reports.
     pub fn begin(writer: W, width: u32, height: u32, delay: Duration) -> io::Result<Self> {
         let (Ok(width), Ok(height)) = (u16::try_from(width), u16::try_from(height)) else {
-            let message = format!("a GIF of {width} by {height} pixels is too large, 65535 is the most");
-            return Err(io::Error::new(io::ErrorKind::InvalidInput, message));
+            return Err(too_large(width, height));
         };
         let mut encoder = gif::Encoder::new(writer, width, height, &[]).map_err(failed)?;
         encoder.set_repeat(Repeat::Infinite).map_err(failed)?;
@@ -56,20 +79,25 @@ impl<W: Write> Animation<W> {
     ///
     /// A picture of another size, as [`io::ErrorKind::InvalidInput`], and what the writer reports.
     pub fn push(&mut self, image: &Image) -> io::Result<()> {
+        self.push_encoded(EncodedFrame::of(image)?)
+    }
+
+    /// Adds a frame that is encoded already, to the same bytes as [`push`](Self::push).
+    ///
+    /// # Errors
+    ///
+    /// As [`push`](Self::push).
+    pub fn push_encoded(&mut self, frame: EncodedFrame) -> io::Result<()> {
+        let EncodedFrame(mut frame) = frame;
         let (width, height) = self.size;
-        let pixels = usize::from(width) * usize::from(height);
-        if (image.width, image.height) != (u32::from(width), u32::from(height))
-            || image.rgb.len() != 3 * pixels
-        {
-            let message = format!(
-                "a frame of {} by {} pixels, expected {width} by {height}",
-                image.width, image.height
-            );
-            return Err(io::Error::new(io::ErrorKind::InvalidInput, message));
+        if (frame.width, frame.height) != self.size {
+            let (found, high) = (frame.width, frame.height);
+            return Err(invalid(format!(
+                "a frame of {found} by {high} pixels, expected {width} by {height}"
+            )));
         }
-        let mut frame = gif::Frame::from_rgb_speed(width, height, &image.rgb, SPEED);
         frame.delay = self.delay;
-        self.encoder.write_frame(&frame).map_err(failed)
+        self.encoder.write_lzw_pre_encoded_frame(&frame).map_err(failed)
     }
 
     /// Ends the GIF and gives the writer back.
@@ -80,6 +108,14 @@ impl<W: Write> Animation<W> {
     pub fn finish(self) -> io::Result<W> {
         self.encoder.into_inner().map_err(failed)
     }
+}
+
+fn invalid(message: String) -> io::Error {
+    io::Error::new(io::ErrorKind::InvalidInput, message)
+}
+
+fn too_large(width: u32, height: u32) -> io::Error {
+    invalid(format!("a GIF of {width} by {height} pixels is too large, 65535 is the most"))
 }
 
 fn failed(error: EncodingError) -> io::Error {

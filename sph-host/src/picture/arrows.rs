@@ -19,7 +19,7 @@ pub(super) fn draw(
     let arrows = |length: f32, cells: usize| ((length / apart).round() as usize).clamp(1, cells);
     let (across, upwards) = (arrows(area.width, nx), arrows(area.height, ny));
     let room = 0.96 * (area.width / across as f32).min(area.height / upwards as f32).min(1.6 * apart);
-    // The cell nearest to the middle of the arrow's share.
+    // Returns the cell nearest to the middle of the cells that share one arrow.
     let cell = |index: usize, arrows: usize, cells: usize| (2 * index + 1) * cells / (2 * arrows);
     for row in (0..upwards).map(|index| cell(index, upwards, ny)) {
         for column in (0..across).map(|index| cell(index, across, nx)) {

@@ -23,12 +23,12 @@ pub(super) struct Axes {
 }
 
 impl Axes {
-    /// The place on the sheet of a point.
+    /// Returns the pixel of a point.
     pub(super) fn place(&self, [x, y]: [f64; 2]) -> (f32, f32) {
         let across = (x - self.x[0]) / (self.x[1] - self.x[0]);
         let up = (y - self.y[0]) / (self.y[1] - self.y[0]);
         let Area { left, width, height, .. } = self.area;
-        // Far beyond the area is far enough for a line that leaves it.
+        // Clamps to 1000 areas away: a line that leaves the area looks the same, and f32 holds the number.
         let limit = |part: f64| part.clamp(-1e3, 1e3) as f32;
         (left + limit(across) * width, self.area.bottom() - limit(up) * height)
     }

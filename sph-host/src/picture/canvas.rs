@@ -10,11 +10,11 @@ use super::{Image, PictureError, text};
 /// Red, green, blue.
 pub(super) type Rgb = [u8; 3];
 
-/// Letters and frames.
+/// The colour of letters and frames.
 pub(super) const INK: Rgb = [34, 34, 34];
-/// Lines that stay behind.
+/// The colour of grid lines.
 pub(super) const FAINT: Rgb = [222, 222, 222];
-/// Where there is no value.
+/// The colour of a point without a value.
 pub(super) const NO_VALUE: Rgb = [176, 176, 176];
 
 /// More pixels than any picture of this crate needs.
@@ -51,7 +51,7 @@ pub(super) enum Anchor {
     End,
 }
 
-/// A line's look.
+/// The colour, width and dashes of a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Pen {
     pub(super) colour: Rgb,
@@ -81,7 +81,7 @@ impl Canvas {
         Ok(Self { pixmap, clip: None })
     }
 
-    /// From now on only what lies in the area is drawn.
+    /// Draws only inside the area until [`Canvas::unclip`].
     pub(super) fn clip_to(&mut self, area: Area) {
         let mut mask = Mask::new(self.pixmap.width(), self.pixmap.height());
         if let (Some(mask), Some(path)) = (&mut mask, rectangle(area)) {
@@ -90,7 +90,7 @@ impl Canvas {
         self.clip = mask;
     }
 
-    /// Ends [`Canvas::clip_to`].
+    /// Draws on the whole sheet again.
     pub(super) fn unclip(&mut self) {
         self.clip = None;
     }
@@ -142,7 +142,7 @@ impl Canvas {
         self.ink(text::outline(text, size).and_then(|path| path.transform(turn)));
     }
 
-    /// Letters: filled, and a hair's outline, for the typeface is a light one.
+    /// Fills letters and gives them a thin outline, because the typeface is a light one.
     fn ink(&mut self, letters: Option<Path>) {
         self.stroke(letters.clone(), Pen::new(INK, 0.35));
         self.fill(letters, INK);

@@ -76,7 +76,7 @@ impl Scale {
 
     /// Where in the range a value is, 0 to 1.
     pub(super) fn part(&self, value: f64) -> f64 {
-        // Halves, for the width of the range may be beyond the largest number.
+        // Halves both, because the width of the range may overflow.
         let [lower, upper] = self.range;
         ((value / 2.0 - lower / 2.0) / (upper / 2.0 - lower / 2.0)).clamp(0.0, 1.0)
     }

@@ -59,7 +59,7 @@ pub enum PictureError {
     #[error("a picture needs at least one quantity")]
     Empty,
     /// More than fits.
-    #[error("a picture shows at most {limit} quantities, got {count}; choose some with --quantity")]
+    #[error("a picture shows at most {limit} quantities, got {count}: choose some of them")]
     TooMany {
         /// How many there are.
         count: usize,

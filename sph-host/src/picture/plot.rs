@@ -47,7 +47,7 @@ const TITLE: f32 = 44.0;
 /// Pixels across a plot that stands alone, and one of several side by side, with its axis.
 const ALONE: f32 = 1000.0;
 const SIDE_BY_SIDE: f32 = 640.0;
-/// Pixels upwards of a plot's area.
+/// Height of a plot's area in pixels.
 const HEIGHT: f32 = 500.0;
 /// Pixels from one line of the legend to the next, and its line's length.
 const LEGEND_LINE: f32 = 30.0;
@@ -57,7 +57,7 @@ const LEGEND_MARK: f32 = 34.0;
 ///
 /// # Errors
 ///
-/// [`PictureError::Empty`] without plots, [`PictureError::Range`] for a range that is no range,
+/// [`PictureError::Empty`] without plots, [`PictureError::Range`] for a range that is empty or not finite,
 /// [`PictureError::TooLarge`] for too many.
 pub fn draw(title: &str, rows: &[Vec<Plot>]) -> Result<Image, PictureError> {
     if rows.iter().all(Vec::is_empty) {

@@ -1,225 +1,210 @@
-//! The directory that a run leaves its results in, and goes on from.
-//!
-//! `checkpoint.json` says how many frames are complete; it is written after everything that belongs to them.
+//! The directory of one run: which files belong to it, and how each is written.
 
-use std::fs::{self, File};
+use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
-use std::time::Duration;
 
 use serde_json::{Value, json};
 
-use super::case::PLOTS;
-use super::drive::{Drive, ROWS_A_FRAME};
+use super::case::CaseName;
+use super::case_run::CaseRun;
+use super::error::Error;
 use super::frame;
-use super::summary::Summary;
+use super::parameters::Parameters;
+use super::series::ROWS_A_FRAME;
 use crate::engine::Snapshot;
-use crate::failure::Failure;
 use crate::output::{self, Column, Precision, Table, Target};
-use crate::picture::animation::Animation;
-use crate::picture::{Image, plot};
+use crate::picture::Image;
+use crate::progress::Progress;
 
+/// The parameters, written before anything else.
+const PARAMETERS: &str = "run.json";
+/// How much time was spent, written after everything that belongs to a frame.
 const CHECKPOINT: &str = "checkpoint.json";
 const SERIES: &str = "series.csv";
 const SUMMARY: &str = "summary.json";
 const COLLECTION: &str = "frames.pvd";
 const ANIMATION: &str = "animation.gif";
 
-/// How long a picture of the animation stays.
-const DELAY: Duration = Duration::from_millis(60);
-
-/// The results of one run.
-pub(super) struct Folder {
+/// The directory of one run.
+pub(super) struct RunFolder {
     path: PathBuf,
-    /// What makes this run another than others: it is asked for when a run goes on.
-    run: Value,
-    /// What the checkpoint says, where there is one to go on from.
-    checkpoint: Option<Value>,
 }
 
-impl Folder {
-    /// Makes the directory, or takes one that has no run in it; `force` removes an earlier run, `resume` goes on with it.
-    pub(super) fn open(path: &Path, force: bool, resume: bool, run: Value) -> Result<Self, Failure> {
-        fs::create_dir_all(path).map_err(|error| failed(path, &error))?;
-        let mut folder = Self { path: path.to_owned(), run, checkpoint: None };
-        let earlier = folder.earlier()?;
-        let place = path.display();
-        if resume {
-            folder.checkpoint = folder.read_checkpoint()?;
-        } else if force {
-            for file in earlier {
-                fs::remove_file(&file).map_err(|error| failed(&file, &error))?;
-            }
-        } else if !earlier.is_empty() {
-            let message =
-                format!("{place}: already holds a run; use --resume to go on with it, --force to replace it");
-            return Err(Failure::input(message));
+/// Seconds that a run took so far.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Spent {
+    /// From beginning to end.
+    pub(super) wall: f64,
+    /// In steps alone.
+    pub(super) stepping: f64,
+}
+
+impl RunFolder {
+    /// The directory at a path, where there is one or can be one.
+    pub(super) fn at(path: &Path) -> Result<Self, Error> {
+        match fs::metadata(path) {
+            Ok(found) if !found.is_dir() => Err(Error::NotADirectory(path.to_owned())),
+            _ => Ok(Self { path: path.to_owned() }),
         }
-        Ok(folder)
+    }
+
+    pub(super) fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// The parameters of the run in the directory; `None` where there is no run to go on with.
+    pub(super) fn stored(&self, progress: &dyn Progress) -> Result<Option<Parameters>, Error> {
+        let earlier = self.earlier()?;
+        let is_there = |name: &str| earlier.iter().any(|path| path.ends_with(name));
+        for (name, is_run) in [(PARAMETERS, true), (CHECKPOINT, false)] {
+            let path = self.path.join(name);
+            let json = fs::read(&path).ok().and_then(|bytes| serde_json::from_slice::<Value>(&bytes).ok());
+            let json = json.unwrap_or_default();
+            if let Some(parameters) = Parameters::of_json(if is_run { &json } else { &json["run"] }) {
+                return Ok(Some(parameters));
+            }
+            if !earlier.is_empty() {
+                let what = if is_there(name) { "is damaged" } else { "is missing" };
+                progress.note(&format!("{} {what}", path.display()));
+            }
+        }
+        let has_frames = earlier.iter().any(|path| path.extension().is_some_and(|ending| ending == "vtu"));
+        if has_frames { Err(Error::UnknownRun(self.path.clone())) } else { Ok(None) }
+    }
+
+    /// That no run is in the directory.
+    pub(super) fn require_free(&self) -> Result<(), Error> {
+        if self.earlier()?.is_empty() { Ok(()) } else { Err(Error::Taken(self.path.clone())) }
+    }
+
+    /// Makes the directory.
+    pub(super) fn make(&self) -> Result<(), Error> {
+        fs::create_dir_all(&self.path).map_err(failed(&self.path))
+    }
+
+    /// Removes the files of an earlier run.
+    pub(super) fn clear(&self) -> Result<(), Error> {
+        self.earlier()?.iter().try_for_each(|path| remove(path))
+    }
+
+    /// Removes files that a process began and, because it was killed, neither finished nor removed.
+    pub(super) fn remove_unfinished(&self) -> Result<(), Error> {
+        let is_ours = |path: &PathBuf| output::is_unfinished(path) && path.is_file() && !path.is_symlink();
+        self.files()?.iter().filter(|path| is_ours(path)).try_for_each(|path| remove(path))
+    }
+
+    /// Removes frames from `frames` on, and what shows more frames than there are.
+    pub(super) fn remove_after(&self, frames: u64) -> Result<(), Error> {
+        for path in self.earlier()? {
+            let number =
+                path.file_stem().and_then(|stem| stem.to_str()?.strip_prefix("frame_")?.parse().ok());
+            if number.is_some_and(|number: u64| number >= frames) {
+                remove(&path)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Removes the animation and the plot of an earlier end.
+    pub(super) fn remove_end_pictures(&self, case: CaseName) -> Result<(), Error> {
+        let paths = [self.animation(), self.plot(case)];
+        paths.iter().filter(|path| path.exists()).try_for_each(|path| remove(path))
+    }
+
+    /// All files in the directory; none where there is no directory.
+    fn files(&self) -> Result<Vec<PathBuf>, Error> {
+        let entries = match fs::read_dir(&self.path) {
+            Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Vec::new()),
+            entries => entries.map_err(failed(&self.path))?,
+        };
+        entries.map(|entry| entry.map(|entry| entry.path()).map_err(failed(&self.path))).collect()
     }
 
     /// The files of an earlier run.
-    fn earlier(&self) -> Result<Vec<PathBuf>, Failure> {
-        let mut files = Vec::new();
-        for entry in fs::read_dir(&self.path).map_err(|error| failed(&self.path, &error))? {
-            let path = entry.map_err(|error| failed(&self.path, &error))?.path();
-            let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+    fn earlier(&self) -> Result<Vec<PathBuf>, Error> {
+        let others = [PARAMETERS, CHECKPOINT, SERIES, SUMMARY, COLLECTION, ANIMATION];
+        let is_ours = |path: &PathBuf| {
+            let name = path.file_name().unwrap_or_default().to_string_lossy();
             let is_frame = name.starts_with("frame_") && (name.ends_with(".vtu") || name.ends_with(".png"));
-            let others = [CHECKPOINT, SERIES, SUMMARY, COLLECTION, ANIMATION];
-            if is_frame || others.iter().chain(&PLOTS).any(|other| *other == name) {
-                files.push(path);
-            }
-        }
-        Ok(files)
+            is_frame || others.contains(&&*name) || CaseName::ALL.iter().any(|case| case.plot() == name)
+        };
+        Ok(self.files()?.into_iter().filter(is_ours).collect())
     }
 
-    fn read_checkpoint(&self) -> Result<Option<Value>, Failure> {
+    pub(super) fn frame(&self, number: u64) -> PathBuf {
+        self.path.join(format!("frame_{number:04}.vtu"))
+    }
+
+    pub(super) fn picture(&self, number: u64) -> PathBuf {
+        self.path.join(format!("frame_{number:04}.png"))
+    }
+
+    pub(super) fn series(&self) -> PathBuf {
+        self.path.join(SERIES)
+    }
+
+    pub(super) fn collection(&self) -> PathBuf {
+        self.path.join(COLLECTION)
+    }
+
+    pub(super) fn animation(&self) -> PathBuf {
+        self.path.join(ANIMATION)
+    }
+
+    pub(super) fn plot(&self, case: CaseName) -> PathBuf {
+        self.path.join(case.plot())
+    }
+
+    pub(super) fn write_parameters(&self, parameters: &Parameters) -> Result<(), Error> {
+        self.write_json(PARAMETERS, &Value::Object(parameters.to_json()))
+    }
+
+    /// What was spent on the run so far; nothing where that is not known.
+    pub(super) fn spent(&self, progress: &dyn Progress) -> Spent {
         let path = self.path.join(CHECKPOINT);
-        let text = match fs::read_to_string(&path) {
-            Ok(text) => text,
-            Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(None),
-            Err(error) => return Err(failed(&path, &error)),
-        };
-        let checkpoint: Value = serde_json::from_str(&text)
-            .map_err(|error| Failure::input(format!("{}: {error}", path.display())))?;
-        for (name, ours) in self.run.as_object().into_iter().flatten() {
-            let theirs = &checkpoint["run"][name];
-            if theirs != ours {
-                let place = path.display();
-                let message = format!("{place}: a run with {name} {theirs} cannot go on with {name} {ours}");
-                return Err(Failure::input(message));
-            }
+        let json = fs::read(&path).ok();
+        let json: Value = json.and_then(|bytes| serde_json::from_slice(&bytes).ok()).unwrap_or_default();
+        let [wall, stepping] = ["wall_s", "stepping_s"].map(|name| json[name].as_f64());
+        if wall.is_none() || stepping.is_none() {
+            let what = if path.exists() { "is damaged" } else { "is missing" };
+            progress.note(&format!("{} {what}: the time spent so far is not known", path.display()));
         }
-        Ok(Some(checkpoint))
+        Spent { wall: wall.unwrap_or(0.0), stepping: stepping.unwrap_or(0.0) }
     }
 
-    /// The wall time of what was done before.
-    pub(super) fn wall_seconds(&self) -> f64 {
-        self.checkpoint.as_ref().and_then(|checkpoint| checkpoint["wall_s"].as_f64()).unwrap_or(0.0)
-    }
-
-    /// Brings a run to its last complete frame, if there is one.
-    pub(super) fn resume<const D: usize>(
-        &self,
-        drive: &mut Drive<D>,
-    ) -> Result<Option<Snapshot<D>>, Failure> {
-        let Some(checkpoint) = &self.checkpoint else { return Ok(None) };
-        let place = self.path.join(CHECKPOINT);
-        let number = |name: &str| {
-            let missing = || Failure::input(format!("{}: {name} is not a number", place.display()));
-            checkpoint[name].as_u64().ok_or_else(missing)
-        };
-        let (frames, steps) = (number("frames")?, number("steps")?);
-        let stepping = checkpoint["stepping_s"].as_f64().unwrap_or(0.0);
-        if frames == 0 {
-            return Ok(None);
-        }
-        let wanted = ((frames - 1) * ROWS_A_FRAME + 1) as usize;
-        let rows = self.read_series(wanted, drive.series.columns.len())?;
-        let time = rows.last().map_or(0.0, |row| row[0]);
-        let path = self.frame(frames - 1, "vtu");
-        let snapshot = frame::restore::<D>(&path, time)?;
-        if snapshot.positions.len() != drive.setup.positions.len() {
-            let (found, expected) = (snapshot.positions.len(), drive.setup.positions.len());
-            let message = format!("{}: {found} particles, expected {expected}", path.display());
-            return Err(Failure::input(message));
-        }
-        drive.resume(&snapshot, steps, frames, stepping, rows)?;
-        Ok(Some(snapshot))
-    }
-
-    fn read_series(&self, wanted: usize, columns: usize) -> Result<Vec<Vec<f64>>, Failure> {
-        let path = self.path.join(SERIES);
-        let wrong = |what: String| Failure::input(format!("{}: {what}", path.display()));
-        let mut reader = csv::Reader::from_path(&path).map_err(|error| wrong(error.to_string()))?;
-        let mut rows = Vec::new();
-        for (line, record) in reader.records().take(wanted).enumerate() {
-            let record = record.map_err(|error| wrong(error.to_string()))?;
-            let row: Result<Vec<f64>, _> = record.iter().map(str::parse).collect();
-            let row = row.map_err(|error| wrong(format!("line {}: {error}", line + 2)))?;
-            if row.len() != columns {
-                return Err(wrong(format!("line {}: {} cells, expected {columns}", line + 2, row.len())));
-            }
-            rows.push(row);
-        }
-        if rows.len() < wanted {
-            return Err(wrong(format!("{} rows, expected {wanted}", rows.len())));
-        }
-        Ok(rows)
-    }
-
-    /// Writes the newest frame and all that goes with it.
+    /// Writes the newest frame and all that goes with it but the picture.
     pub(super) fn add_frame<const D: usize>(
-        &mut self,
-        drive: &Drive<D>,
+        &self,
+        run: &CaseRun<D>,
         now: &Snapshot<D>,
-        wall_seconds: f64,
-    ) -> Result<(), Failure> {
-        let number = drive.frames - 1;
-        output::write(&frame::table(now, drive.precision), &self.target(self.frame(number, "vtu")))?;
-        let title = format!("{}, t = {:.4} s", self.run["case"].as_str().unwrap_or_default(), now.time);
-        let image = drive.case.picture(now, &title).map_err(drawing)?;
-        self.write_png(&image, self.frame(number, "png"))?;
-        self.write_series(drive)?;
-        self.write_collection(drive)?;
-        if !drive.is_whole() {
-            return Ok(());
-        }
+        parameters: &Parameters,
+        wall: f64,
+    ) -> Result<(), Error> {
+        let number = run.frames - 1;
+        output::write(&frame::table(now, run.method.precision()), &target(self.frame(number)))?;
+        self.write_series(run)?;
+        self.write_collection(run)?;
         let checkpoint = json!({
-            "run": self.run,
-            "frames": drive.frames,
-            "steps": drive.steps(),
-            "wall_s": wall_seconds,
-            "stepping_s": drive.stepping,
+            "run": parameters.to_json(),
+            "frames": run.frames,
+            "steps": run.steps(),
+            "wall_s": wall,
+            "stepping_s": run.stepping,
         });
         self.write_json(CHECKPOINT, &checkpoint)
     }
 
-    /// Writes what is known only at the end: the plot, the animation, the summary. Gives what there is to look at.
-    pub(super) fn finish<const D: usize>(
-        &self,
-        drive: &Drive<D>,
-        last: &Snapshot<D>,
-        summary: &Summary,
-    ) -> Result<Vec<(&'static str, PathBuf)>, Failure> {
-        let (name, plots) = drive.case.plots(&drive.series, last);
-        let image = plot::draw(&self.caption(last), &plots).map_err(drawing)?;
-        self.write_png(&image, self.path.join(name))?;
-        self.write_animation(drive.frames)?;
-        self.write_json(SUMMARY, &summary.json)?;
-        Ok(vec![
-            ("picture", self.frame(drive.frames - 1, "png")),
-            ("animation", self.path.join(ANIMATION)),
-            ("plot", self.path.join(name)),
-            ("for ParaView", self.path.join(COLLECTION)),
-        ])
+    pub(super) fn write_summary(&self, summary: &Value) -> Result<(), Error> {
+        self.write_json(SUMMARY, summary)
     }
 
-    fn caption<const D: usize>(&self, last: &Snapshot<D>) -> String {
-        let word = |name: &str| self.run[name].as_str().unwrap_or_default().to_owned();
-        let particles = last.positions.len();
-        format!("{}: {particles} particles, {}, {}", word("case"), word("kernel"), word("scalar"))
+    fn write_json(&self, name: &str, value: &Value) -> Result<(), Error> {
+        Ok(target(self.path.join(name)).create(|file| writeln!(file, "{value:#}"))?)
     }
 
-    fn frame(&self, number: u64, ending: &str) -> PathBuf {
-        self.path.join(format!("frame_{number:04}.{ending}"))
-    }
-
-    /// A file of this run: whether another run's may be replaced was settled at the beginning.
-    fn target(&self, path: PathBuf) -> Target {
-        Target { path, force: true }
-    }
-
-    fn write_png(&self, image: &Image, path: PathBuf) -> Result<(), Failure> {
-        Ok(self.target(path).create(|file| image.write_png(file))?)
-    }
-
-    fn write_json(&self, name: &str, value: &Value) -> Result<(), Failure> {
-        Ok(self.target(self.path.join(name)).create(|file| writeln!(file, "{value:#}"))?)
-    }
-
-    fn write_series<const D: usize>(&self, drive: &Drive<D>) -> Result<(), Failure> {
-        let series = &drive.series;
+    fn write_series<const D: usize>(&self, run: &CaseRun<D>) -> Result<(), Error> {
+        let series = &run.series;
         let mut columns = series.columns.iter().enumerate().map(|(index, name)| {
             Column::new(name.as_str(), series.rows.iter().map(|row| row[index]).collect())
         });
@@ -230,17 +215,15 @@ impl Folder {
             precision: Precision::F64,
             caption: String::new(),
         };
-        Ok(output::write(&table, &self.target(self.path.join(SERIES)))?)
+        Ok(output::write(&table, &target(self.series()))?)
     }
 
     /// The frames and their times, for ParaView.
-    fn write_collection<const D: usize>(&self, drive: &Drive<D>) -> Result<(), Failure> {
-        let rows = &drive.series.rows;
-        let last = rows.last().filter(|_| !drive.is_whole());
-        let whole = drive.frames as usize - usize::from(last.is_some());
-        let times = rows.iter().step_by(ROWS_A_FRAME as usize).take(whole).chain(last).map(|row| row[0]);
-        let target = self.target(self.path.join(COLLECTION));
-        Ok(target.create(|file| {
+    fn write_collection<const D: usize>(&self, run: &CaseRun<D>) -> Result<(), Error> {
+        let rows = &run.series.rows;
+        let before = rows.iter().step_by(ROWS_A_FRAME as usize).take(run.frames as usize - 1);
+        let times = before.chain(rows.last()).map(|row| row[0]);
+        Ok(target(self.collection()).create(|file| {
             writeln!(
                 file,
                 "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\">\n<Collection>"
@@ -251,39 +234,23 @@ impl Folder {
             writeln!(file, "</Collection>\n</VTKFile>")
         })?)
     }
-
-    /// All pictures as one.
-    fn write_animation(&self, frames: u64) -> Result<(), Failure> {
-        let first = self.read_png(0)?;
-        let target = self.target(self.path.join(ANIMATION));
-        Ok(target.create(|file| {
-            let mut animation = Animation::begin(file, first.width, first.height, DELAY)?;
-            animation.push(&first)?;
-            for number in 1..frames {
-                let image = self.read_png(number).map_err(|failure| io::Error::other(failure.to_string()))?;
-                animation.push(&image)?;
-            }
-            animation.finish().map(drop)
-        })?)
-    }
-
-    /// A picture of this run back from its file.
-    fn read_png(&self, number: u64) -> Result<Image, Failure> {
-        let path = self.frame(number, "png");
-        let wrong = |error: png::DecodingError| Failure::input(format!("{}: {error}", path.display()));
-        let file = File::open(&path).map_err(|error| failed(&path, &error))?;
-        let mut reader = png::Decoder::new(io::BufReader::new(file)).read_info().map_err(wrong)?;
-        let (width, height) = (reader.info().width, reader.info().height);
-        let mut rgb = vec![0; reader.output_buffer_size().unwrap_or(0)];
-        reader.next_frame(&mut rgb).map_err(wrong)?;
-        Ok(Image { width, height, rgb })
-    }
 }
 
-fn failed(path: &Path, error: &io::Error) -> Failure {
-    Failure::input(format!("{}: {error}", path.display()))
+/// A file of this run: whether another run's may be replaced is settled before.
+pub(super) fn target(path: PathBuf) -> Target {
+    Target { path, force: true }
 }
 
-fn drawing(error: crate::picture::PictureError) -> Failure {
-    Failure::input(format!("the picture cannot be drawn: {error}"))
+pub(super) fn write_png(image: &Image, path: PathBuf) -> Result<(), Error> {
+    Ok(target(path).create(|file| image.write_png(file))?)
+}
+
+fn remove(path: &Path) -> Result<(), Error> {
+    fs::remove_file(path).map_err(failed(path))
+}
+
+/// What the system said of a path.
+pub(super) fn failed(path: &Path) -> impl Fn(io::Error) -> Error {
+    let path = path.to_owned();
+    move |source| Error::File { path: path.clone(), source }
 }

@@ -1,275 +1,131 @@
-//! Cases simulated and held against what is known of them: `fluisim run`.
+//! Cases simulated and measured against what is known of them: `fluisim run`.
 //!
 //! [`run`] simulates a case into a directory: `summary.json`, `series.csv`, particle frames `frame_0000.vtu` with `frames.pvd` for
-//! ParaView, pictures `frame_0000.png`, `animation.gif`, and a plot against the reference. Everything is in SI units.
+//! ParaView, pictures `frame_0000.png`, `animation.gif`, and a plot against the reference. [`simulate`] does the same in memory.
+//! Everything is in SI units.
 //!
-//! A run that was stopped goes on from its last complete frame and ends with the bits of one that was not: forces are worked
-//! out anew at every frame from what is in its file.
+//! A request goes through these files in this order:
+//!
+//! 1. `options`: what is asked for. `parameters`: what that comes to, with the defaults of the case (`case`, one file for each; what a
+//!    case has to say is in `definition`) and of the solver (`solver`, made by `method`).
+//! 2. `case_run`: steps, rows of the series (`series`, with what `diagnostics` and the case measure), frames.
+//! 3. `destination`: the run into its directory. `folder`: the files of a run. `frame`: a frame as a file and back. `gallery`: pictures (`drawing`), drawn beside the steps.
+//! 4. `summary`: the result, with each `check`.
+//!
+//! A run that was stopped goes on from its last whole frame (`resume`) and ends with the bits of one that was not: forces are
+//! worked out anew at every frame from what is in its file.
 
 mod case;
-mod drive;
+mod case_run;
+mod check;
+mod definition;
+mod destination;
+mod diagnostics;
+mod drawing;
+mod error;
 mod folder;
 mod frame;
-mod measure;
+mod gallery;
+mod method;
+mod options;
+mod parameters;
 mod reference;
+mod resume;
 mod series;
+mod solver;
 mod summary;
+mod tank;
 #[cfg(test)]
 mod tests;
 
-pub use series::Check;
+pub use case::CaseName;
+pub use check::Check;
+pub use error::Error;
+pub(crate) use error::either;
+pub use options::{Earlier, Options, Output, resolutions};
+pub use series::Series;
+pub use solver::Solver;
 pub use summary::Summary;
 
-use std::path::PathBuf;
 use std::time::Instant;
 
-use clap::ValueEnum;
-use serde_json::json;
-
-use crate::failure::Failure;
-use crate::kernel_choice::KernelName;
 use crate::progress::Progress;
-use crate::scalar_choice::ScalarName;
-use case::Case;
-use drive::{Drive, Method, ROWS_A_FRAME};
-use folder::Folder;
+use case_run::CaseRun;
+use definition::Form;
+use destination::Destination;
+use folder::RunFolder;
+use parameters::Parameters;
 
-/// What can be simulated.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum CaseName {
-    /// a column of water collapses on a dry bed; front against Koshizuka & Oka (1996)
-    DamBreak,
-    /// water at rest in a tank; pressure against ρ g (H − z)
-    Hydrostatic,
-    /// a round drop stretched to an ellipse (Monaghan 1994); semi-axes against the exact ones
-    Drop,
-    /// decaying periodic vortices at Re 100; energy against the exact decay
-    TaylorGreen,
-    /// the start of a channel flow (Morris 1997); profile against the series solution
-    Poiseuille,
-    /// a box turned through a script, shown as lamps; height and level against those of the volume put in
-    Tilt,
-}
-
-/// How it is simulated.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Solver {
-    /// weakly compressible SPH: stands against experiment
-    Wcsph,
-    /// position-based fluid, as microcontrollers run it: dam-break and tilt
-    Pbf,
-}
-
-/// What to simulate, and where to.
-#[derive(Clone, Debug)]
-pub struct Options {
-    /// The case.
-    pub case: CaseName,
-    /// The solver; `None` for pbf where the case is tilt, else wcsph.
-    pub solver: Option<Solver>,
-    /// Dimensions: 2, or 3 for the dam break.
-    pub dim: usize,
-    /// Particles across the case's length; `None` for the case's own.
-    pub resolution: Option<u32>,
-    /// Seconds to simulate; `None` for the case's own.
-    pub time: Option<f64>,
-    /// The number type: f64 or f32 for wcsph, any but f64 for pbf; `None` for the first of these.
-    pub scalar: Option<ScalarName>,
-    /// The kernel of wcsph; `None` for wendland-c2. pbf has its own, poly6.
-    pub kernel: Option<KernelName>,
-    /// The directory of the results.
-    pub out: PathBuf,
-    /// Seconds from frame to frame; `None` for a fiftieth of the time.
-    pub every: Option<f64>,
-    /// Go on from the last complete frame in the directory.
-    pub resume: bool,
-    /// Replace what an earlier run has left in the directory.
-    pub force: bool,
-    /// Threads; `None` for one on each core.
-    pub threads: Option<usize>,
-}
-
-impl CaseName {
-    /// The name on the command line.
-    #[must_use]
-    pub fn name(self) -> String {
-        word(&self)
-    }
-
-    /// What the case is, in a line.
-    #[must_use]
-    pub fn about(self) -> String {
-        let value = self.to_possible_value();
-        value.and_then(|value| value.get_help().map(ToString::to_string)).unwrap_or_default()
-    }
-
-    /// Particles across the case's length unless said otherwise: the column, the depth, the radius, the period, the channel.
-    fn resolution(self, dim: usize) -> u32 {
-        match self {
-            Self::DamBreak if dim == 3 => 20,
-            Self::DamBreak | Self::Hydrostatic | Self::Drop | Self::Poiseuille => 40,
-            Self::TaylorGreen => 50,
-            Self::Tilt => 32,
-        }
-    }
-}
-
-/// A choice as the command line names it.
-fn word(choice: &impl ValueEnum) -> String {
-    choice.to_possible_value().map_or_else(String::new, |value| value.get_name().to_owned())
-}
-
-/// The least and the most particles across a case's length.
-const RESOLUTIONS: std::ops::RangeInclusive<u32> = 8..=2000;
-
-/// Frames unless said otherwise, after the first.
-const FRAMES: f64 = 50.0;
-
-/// Frames of a run at most.
-const MOST_FRAMES: f64 = 1e5;
-
-/// Simulates a case into its directory. `progress` counts rows of the series.
+/// Simulates a case into a directory. `progress` counts rows of the series.
+///
+/// ```no_run
+/// use sph_host::run::{self, CaseName, Earlier, Options, Output};
+///
+/// let options = Options { resolution: Some(20), ..Options::new(CaseName::DamBreak) };
+/// let output = Output { directory: "dam".into(), earlier: Earlier::Keep, pictures: true };
+/// println!("{}", run::run(&options, &output, &())?.table());
+/// # Ok::<(), run::Error>(())
+/// ```
 ///
 /// # Errors
-/// [`Failure::Usage`] for options that contradict each other, [`Failure::Input`] where the directory is taken or cannot be written,
-/// or the run is lost: a number that is not finite. A particle that escaped does not end the run; see [`Summary::escaped`].
-pub fn run(options: &Options, progress: &dyn Progress) -> Result<Summary, Failure> {
-    let resolution = options.resolution.unwrap_or_else(|| options.case.resolution(options.dim));
-    if !RESOLUTIONS.contains(&resolution) {
-        let (least, most) = (RESOLUTIONS.start(), RESOLUTIONS.end());
-        return Err(Failure::usage(format!("--resolution {resolution}: expected {least} to {most}")));
-    }
-    if options.dim == 3 && options.case != CaseName::DamBreak {
-        return Err(Failure::usage(format!("--dim 3: {} has two dimensions", options.case.name())));
-    }
-    let method = options.method()?;
-    let pool = rayon::ThreadPoolBuilder::new()
-        .num_threads(options.threads.unwrap_or(0))
-        .build()
-        .map_err(|error| Failure::input(format!("cannot start the threads: {error}")))?;
-    let rounding = if method.scalar == ScalarName::F64 { 1e-12 } else { 1e-4 };
-    let job = Job { options, method, resolution, progress };
-    pool.install(|| match (options.case, options.dim) {
-        (CaseName::DamBreak, 3) => job.simulate::<3>(&case::DamBreak { resolution }),
-        (CaseName::DamBreak, _) => job.simulate::<2>(&case::DamBreak { resolution }),
-        (CaseName::Hydrostatic, _) => job.simulate(&case::Hydrostatic { resolution }),
-        (CaseName::Drop, _) => job.simulate(&case::Drop { resolution, rounding }),
-        (CaseName::TaylorGreen, _) => job.simulate(&case::TaylorGreen { resolution, rounding }),
-        (CaseName::Poiseuille, _) => job.simulate(&case::Poiseuille { resolution }),
-        (CaseName::Tilt, _) => job.simulate(&case::Tilt { resolution }),
+/// Options that contradict each other, a directory that is taken or cannot be written, or a run that failed: a number that is not
+/// finite. A particle that escaped does not end the run; see [`Summary::escaped`].
+pub fn run(options: &Options, output: &Output, progress: &dyn Progress) -> Result<Summary, Error> {
+    let folder = RunFolder::at(&output.directory)?;
+    let stored = if output.earlier == Earlier::Resume { folder.stored(progress)? } else { None };
+    let options = match &stored {
+        Some(stored) => options.clone().going_on(stored, folder.path())?,
+        None => options.clone(),
+    };
+    let destination = Destination {
+        folder,
+        earlier: output.earlier,
+        is_begun: stored.is_some(),
+        pictures: output.pictures,
+    };
+    start(&options, Some(&destination), progress).map(|(summary, _)| summary)
+}
+
+/// Simulates a case in memory: its result, and the time series that it was measured by. `progress` counts rows of the series.
+///
+/// # Errors
+/// As [`run`], where no directory is at fault.
+pub fn simulate(options: &Options, progress: &dyn Progress) -> Result<(Summary, Series), Error> {
+    start(options, None, progress)
+}
+
+fn start(
+    options: &Options,
+    destination: Option<&Destination>,
+    progress: &dyn Progress,
+) -> Result<(Summary, Series), Error> {
+    let parameters = options.parameters()?;
+    let threads = options.threads;
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.unwrap_or(0)).build();
+    let pool = pool.map_err(|error| Error::Threads { threads, reason: error.to_string() })?;
+    let definition = parameters.case.definition();
+    pool.install(|| match (&definition.in_2d, &definition.in_3d) {
+        (_, Some(form)) if parameters.dim == 3 => simulate_form(form, &parameters, destination, progress),
+        (Some(form), _) if parameters.dim == 2 => simulate_form(form, &parameters, destination, progress),
+        _ => Err(Error::Dimensions { case: parameters.case, found: parameters.dim }),
     })
 }
 
-impl Options {
-    /// A case as it is usually simulated.
-    #[must_use]
-    pub fn new(case: CaseName, out: PathBuf) -> Self {
-        Self {
-            case,
-            solver: None,
-            dim: 2,
-            resolution: None,
-            time: None,
-            scalar: None,
-            kernel: None,
-            out,
-            every: None,
-            resume: false,
-            force: false,
-            threads: None,
+fn simulate_form<const D: usize>(
+    form: &Form<D>,
+    parameters: &Parameters,
+    destination: Option<&Destination>,
+    progress: &dyn Progress,
+) -> Result<(Summary, Series), Error> {
+    let case = (form.build)(parameters.resolution);
+    let mut run = CaseRun::new(&*case, parameters)?;
+    let start = Instant::now();
+    let summary = match destination {
+        Some(destination) => destination.simulate(&mut run, &*case, parameters, progress)?,
+        None => {
+            let last = run.go_on(None, progress, |_, _| Ok(()))?;
+            Summary::new(&run, &last, parameters, start.elapsed().as_secs_f64())
         }
-    }
-
-    /// What is simulated with, where the options do not contradict each other.
-    fn method(&self) -> Result<Method, Failure> {
-        let usual = if self.case == CaseName::Tilt { Solver::Pbf } else { Solver::Wcsph };
-        let solver = self.solver.unwrap_or(usual);
-        match solver {
-            Solver::Wcsph => {
-                let scalar = self.scalar.unwrap_or(ScalarName::F64);
-                if !matches!(scalar, ScalarName::F64 | ScalarName::F32) {
-                    let message =
-                        format!("--scalar {}: --solver wcsph computes in f64 or f32", word(&scalar));
-                    return Err(Failure::usage(message));
-                }
-                let kernel = self.kernel.unwrap_or(KernelName::WendlandC2);
-                if kernel.is_singular() {
-                    return Err(Failure::usage(format!("--kernel {}: it diverges at r = 0", kernel.name())));
-                }
-                Ok(Method { solver, scalar, kernel })
-            }
-            Solver::Pbf => {
-                let scalar = self.scalar.unwrap_or(ScalarName::F32);
-                let kernel = self.kernel.unwrap_or(KernelName::Poly6);
-                if !matches!(self.case, CaseName::DamBreak | CaseName::Tilt) {
-                    let name = self.case.name();
-                    return Err(Failure::usage(format!(
-                        "--solver pbf: for dam-break and tilt, not for {name}"
-                    )));
-                }
-                if scalar == ScalarName::F64 {
-                    let message = "--scalar f64: --solver pbf computes in f32, fast32 or fixed point";
-                    return Err(Failure::usage(message));
-                }
-                if kernel != KernelName::Poly6 {
-                    let name = kernel.name();
-                    return Err(Failure::usage(format!("--kernel {name}: --solver pbf has its own, poly6")));
-                }
-                Ok(Method { solver, scalar, kernel })
-            }
-        }
-    }
-}
-
-/// A run whose options make sense.
-#[derive(Clone, Copy)]
-struct Job<'a> {
-    options: &'a Options,
-    method: Method,
-    resolution: u32,
-    progress: &'a dyn Progress,
-}
-
-impl Job<'_> {
-    fn simulate<const D: usize>(self, case: &dyn Case<D>) -> Result<Summary, Failure> {
-        let Self { options, method, resolution, progress } = self;
-        let duration = options.time.unwrap_or_else(|| case.duration());
-        let every = options.every.unwrap_or(duration / FRAMES);
-        if every > duration {
-            return Err(Failure::usage(format!("--every {every}: longer than the {duration} s simulated")));
-        }
-        if duration / every > MOST_FRAMES {
-            return Err(Failure::usage(format!(
-                "--every {every}: more than {MOST_FRAMES} frames in the {duration} s simulated"
-            )));
-        }
-        let particulars = json!({
-            "case": options.case.name(),
-            "solver": word(&method.solver),
-            "dim": D,
-            "resolution": resolution,
-            "scalar": word(&method.scalar),
-            "kernel": method.kernel.name(),
-            "every": every,
-        });
-        let mut drive = Drive::new(case, method, every)?;
-        let mut folder = Folder::open(&options.out, options.force, options.resume, particulars.clone())?;
-        let start = Instant::now();
-        let mut last = folder.resume(&mut drive)?;
-        let before = folder.wall_seconds();
-        let frames = drive.frames_in(duration);
-        let rows = |frames: u64| frames.saturating_sub(1) * ROWS_A_FRAME;
-        progress.begin(rows(frames), rows(drive.frames));
-        while drive.frames < frames {
-            let snapshot = drive.next_frame(duration, progress)?;
-            folder.add_frame(&drive, &snapshot, before + start.elapsed().as_secs_f64())?;
-            last = Some(snapshot);
-        }
-        progress.end();
-        let last = last.ok_or_else(|| Failure::input("nothing was simulated"))?;
-        let wall = before + start.elapsed().as_secs_f64();
-        let mut summary = Summary::new(&drive, &last, particulars, wall);
-        summary.files = folder.finish(&drive, &last, &summary)?;
-        Ok(summary)
-    }
+    };
+    Ok((summary, run.series))
 }

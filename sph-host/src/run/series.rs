@@ -1,10 +1,21 @@
-//! The time series of a run, and what is judged by it.
+//! The time series of a run.
+
+/// Rows of the series in the time of one frame.
+pub(super) const ROWS_A_FRAME: u64 = 4;
+
+/// The time of a row of the series, counted from 0, that is not of a last frame between two others. Every run with the same
+/// spacing of frames has these times, however long it is.
+pub(super) fn time_of_row(every: f64, row: u64) -> f64 {
+    every * (row as f64 / ROWS_A_FRAME as f64)
+}
 
 /// Rows of named columns, the first of which is the time.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct Series {
-    pub(super) columns: Vec<String>,
-    pub(super) rows: Vec<Vec<f64>>,
+pub struct Series {
+    /// The names of the columns, `time` first.
+    pub columns: Vec<String>,
+    /// One value a column in each row, in the order of time.
+    pub rows: Vec<Vec<f64>>,
 }
 
 impl Series {
@@ -17,13 +28,15 @@ impl Series {
     }
 
     /// The pairs (time, value) of a column; none where there is no such column.
-    pub(super) fn column(&self, name: &str) -> Vec<[f64; 2]> {
+    #[must_use]
+    pub fn column(&self, name: &str) -> Vec<[f64; 2]> {
         let Some(index) = self.columns.iter().position(|column| column == name) else { return Vec::new() };
         self.rows.iter().map(|row| [row[0], row[index]]).collect()
     }
 
     /// The value of a column at a time, between rows by a straight line; `None` beyond the rows.
-    pub(super) fn at(&self, name: &str, time: f64) -> Option<f64> {
+    #[must_use]
+    pub fn at(&self, name: &str, time: f64) -> Option<f64> {
         let points = self.column(name);
         let slack = 1e-9 * points.last()?[0];
         let after = points.iter().position(|point| point[0] >= time - slack)?;
@@ -35,8 +48,14 @@ impl Series {
     }
 
     /// The last value of a column.
-    pub(super) fn last(&self, name: &str) -> Option<f64> {
+    #[must_use]
+    pub fn last(&self, name: &str) -> Option<f64> {
         self.column(name).last().map(|point| point[1])
+    }
+
+    /// Whether the rows go on to a time.
+    pub(super) fn has_reached(&self, time: f64) -> bool {
+        self.rows.last().is_some_and(|row| row[0] >= time * (1.0 - 1e-9))
     }
 
     /// Kinetic, potential and compression energy together, over time.
@@ -59,29 +78,5 @@ impl Series {
             growth = growth.max(value - lowest);
         }
         growth / first.abs()
-    }
-}
-
-/// One thing that a case is measured against.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Check {
-    /// What is measured, and in what.
-    pub name: String,
-    /// What was found; NaN where the run did not come so far.
-    pub value: f64,
-    /// The most that is allowed.
-    pub goal: f64,
-}
-
-impl Check {
-    /// A value whose size must not be above a goal.
-    pub(super) fn at_most(name: impl Into<String>, value: f64, goal: f64) -> Self {
-        Self { name: name.into(), value, goal }
-    }
-
-    /// Whether the goal is met.
-    #[must_use]
-    pub fn holds(&self) -> bool {
-        self.value.abs() <= self.goal
     }
 }

@@ -1,67 +1,46 @@
-//! What a run comes to.
+//! The result of a run: `summary.json` and the table on the screen.
 
 use std::fmt::Write;
-
 use std::path::PathBuf;
 
 use serde_json::{Map, Value, json};
 
-use super::drive::Drive;
-use super::series::Check;
+use super::case_run::CaseRun;
+use super::check::Check;
+use super::parameters::Parameters;
 use crate::engine::Snapshot;
 
-/// The end of a run, as `summary.json` has it.
+/// The result of a run.
 #[derive(Clone, Debug)]
 pub struct Summary {
     /// The content of `summary.json`.
     pub json: Value,
     /// What the case is measured against.
     pub checks: Vec<Check>,
-    /// Particles that are, or were, beyond the walls.
+    /// The greatest number of particles that were beyond the walls at one time.
     pub escaped: usize,
-    /// What there is to look at: what it is, and where.
+    /// The files to look at: what each is, and its path.
     pub files: Vec<(&'static str, PathBuf)>,
 }
 
 impl Summary {
     pub(super) fn new<const D: usize>(
-        drive: &Drive<D>,
+        run: &CaseRun<D>,
         last: &Snapshot<D>,
-        particulars: Value,
-        wall_seconds: f64,
+        parameters: &Parameters,
+        wall: f64,
     ) -> Self {
-        let checks = drive.checks(last);
-        let particles = last.positions.len();
-        let energy = drive.series.energy();
-        let (first, final_energy) =
-            (energy.first().map_or(0.0, |e| e[1]), energy.last().map_or(0.0, |e| e[1]));
-        let scale = if first == 0.0 { 1.0 } else { first.abs() };
-        let escaped = drive.series.last("outside").unwrap_or(0.0);
-        let most = drive.series.column("outside").iter().map(|point| point[1]).fold(0.0, f64::max);
-        let work = particles as f64 * drive.steps() as f64;
-        let measured = json!({
-            "particles": particles,
-            "wall_particles": drive.setup.walls.len(),
-            "steps": drive.steps(),
-            "simulated_s": last.time,
-            "wall_s": wall_seconds,
-            "particle_steps_per_s": work / wall_seconds.max(1e-9),
-            "stepping_s": drive.stepping,
-            "us_per_particle_step": 1e6 * drive.stepping / work.max(1.0),
-            "mean_dt_s": last.time / (drive.steps() as f64).max(1.0),
-            "stepping_s_per_simulated_s": drive.stepping / last.time.max(f64::MIN_POSITIVE),
-            "mass_drift": if escaped > 0.0 { -escaped / particles as f64 } else { 0.0 },
-            "momentum_drift": drive.series.last("momentum_error"),
-            "energy_drift": (final_energy - first) / scale,
-            "checks": checks.iter().map(check_json).collect::<Vec<_>>(),
-        });
-        let mut json = Map::new();
-        for part in [particulars, Value::Object(drive.case.particulars()), measured] {
-            if let Value::Object(part) = part {
-                json.extend(part);
-            }
-        }
-        Self { json: Value::Object(json), checks, escaped: most as usize, files: Vec::new() }
+        let checks = run.checks(last);
+        let mut json = parameters.to_json();
+        json.extend(run.case.particulars());
+        json.extend(measured(run, last, wall));
+        json.insert("checks".into(), checks.iter().map(check_json).collect());
+        Self { json: Value::Object(json), checks, escaped: run.most_outside() as usize, files: Vec::new() }
+    }
+
+    /// The checks that fall short of their goals.
+    pub fn short(&self) -> impl Iterator<Item = &Check> {
+        self.checks.iter().filter(|check| check.holds() == Some(false))
     }
 
     /// The run in a few lines, and a line for each check.
@@ -91,8 +70,13 @@ impl Summary {
         let wide = self.checks.iter().map(|check| check.name.chars().count()).max().unwrap_or(0);
         let _ = writeln!(text, "\n{:<wide$}  {:>10}  {:>8}", "against what is known", "found", "at most");
         for check in &self.checks {
-            let verdict = if check.holds() { "holds" } else { "FALLS SHORT" };
-            let (value, goal) = (number(check.value), number(check.goal));
+            let verdict = match check.holds() {
+                Some(true) => "holds",
+                Some(false) => "FALLS SHORT",
+                None => "not measured: the run ended before",
+            };
+            let value = check.value.map_or_else(|| String::from("-"), number);
+            let goal = number(check.goal);
             let _ = writeln!(text, "{:<wide$}  {value:>10}  {goal:>8}  {verdict}", check.name);
         }
         let _ = writeln!(text);
@@ -103,6 +87,33 @@ impl Summary {
     }
 }
 
+/// What every run measures.
+fn measured<const D: usize>(run: &CaseRun<D>, last: &Snapshot<D>, wall: f64) -> Map<String, Value> {
+    let (particles, steps) = (last.positions.len(), run.steps());
+    let energy = run.series.energy();
+    let [first, end] = [energy.first(), energy.last()].map(|energy| energy.map_or(0.0, |energy| energy[1]));
+    let scale = if first == 0.0 { 1.0 } else { first.abs() };
+    let outside = run.series.last("outside").unwrap_or(0.0);
+    let work = particles as f64 * steps as f64;
+    let pairs = [
+        ("particles", json!(particles)),
+        ("wall_particles", json!(run.setup.walls.len())),
+        ("steps", json!(steps)),
+        ("simulated_s", json!(last.time)),
+        ("wall_s", json!(wall)),
+        ("particle_steps_per_s", json!(work / wall.max(1e-9))),
+        ("stepping_s", json!(run.stepping)),
+        ("us_per_particle_step", json!(1e6 * run.stepping / work.max(1.0))),
+        ("mean_dt_s", json!(last.time / (steps as f64).max(1.0))),
+        ("stepping_s_per_simulated_s", json!(run.stepping / last.time.max(f64::MIN_POSITIVE))),
+        ("mass_drift", json!(if outside > 0.0 { -outside / particles as f64 } else { 0.0 })),
+        ("momentum_drift", json!(run.series.last("momentum_error"))),
+        ("energy_drift", json!((end - first) / scale)),
+    ];
+    pairs.into_iter().map(|(name, value)| (name.to_owned(), value)).collect()
+}
+
+/// A check as `summary.json` has it: `value` and `holds` are null where nothing was measured.
 fn check_json(check: &Check) -> Value {
     json!({"name": check.name, "value": check.value, "goal": check.goal, "holds": check.holds()})
 }

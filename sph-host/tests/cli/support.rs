@@ -49,7 +49,12 @@ impl Folder {
 
     /// The names of all files, hidden ones too.
     pub(crate) fn names(&self) -> BTreeSet<String> {
-        let entries = fs::read_dir(self.0.path()).unwrap();
+        self.names_in("")
+    }
+
+    /// The names of all files of a folder in it.
+    pub(crate) fn names_in(&self, place: &str) -> BTreeSet<String> {
+        let entries = fs::read_dir(self.path(place)).unwrap();
         entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect()
     }
 

@@ -1,7 +1,5 @@
 //! The same run again: other threads, interrupted and resumed, in a directory that is taken.
 
-use std::fs;
-
 use crate::support::Folder;
 
 const RUN: &str = "run --resolution 8 --every 0.004";
@@ -52,20 +50,6 @@ fn threads_and_interruptions_change_no_byte() {
 }
 
 #[test]
-fn what_a_crash_left_behind_is_no_harm() {
-    let folder = Folder::new();
-    folder.succeed(&format!("{RUN} --time 0.016 --out whole"));
-    folder.succeed(&format!("{RUN} --time 0.016 --out crashed"));
-    // as if the run had died while it wrote the frame after the last complete one
-    let checkpoint = String::from_utf8(folder.bytes("crashed/checkpoint.json")).unwrap();
-    folder.write("crashed/checkpoint.json", checkpoint.replace("\"frames\": 5", "\"frames\": 3"));
-    folder.write("crashed/frame_0003.vtu", "half a frame");
-    fs::remove_file(folder.path("crashed/frame_0004.vtu")).unwrap();
-    folder.succeed(&format!("{RUN} --time 0.016 --out crashed --resume"));
-    assert_same(&folder, "whole", "crashed");
-}
-
-#[test]
 fn an_earlier_run_is_kept_unless_told_otherwise() {
     let folder = Folder::new();
     let run = format!("{RUN} --time 0.004 --out dam");
@@ -78,10 +62,14 @@ fn an_earlier_run_is_kept_unless_told_otherwise() {
     for (other, parts) in [
         (
             "run --resolution 9 --every 0.004 --time 0.008 --out dam --resume",
-            ["resolution 8", "resolution 9"],
+            ["resolution 8", "resolution 9", "leave --resolution out"],
         ),
-        ("run --resolution 8 --every 0.002 --time 0.008 --out dam --resume", ["every 0.004", "every 0.002"]),
-        ("run drop --resolution 8 --every 0.004 --time 0.008 --out dam --resume", ["dam-break", "drop"]),
+        (
+            "run --every 0.002 --time 0.008 --out dam --resume",
+            ["every 0.004", "every 0.002", "leave --every out"],
+        ),
+        ("run drop --time 0.008 --out dam --resume", ["dam-break", "drop", "leave the case out"]),
+        ("run --scalar f32 --out dam --resume", ["scalar f64", "scalar f32", "leave --scalar out"]),
     ] {
         folder.fail_with(1, other, &parts);
     }
@@ -91,23 +79,24 @@ fn an_earlier_run_is_kept_unless_told_otherwise() {
 }
 
 #[test]
-fn damage_is_an_error_that_names_the_file() {
+fn a_resumed_run_keeps_what_is_not_given() {
     let folder = Folder::new();
-    let run = format!("{RUN} --time 0.008 --out dam");
-    folder.succeed(&run);
-    let resume = format!("{run} --resume");
-    let kept = folder.bytes("dam/checkpoint.json");
-    for (file, content, part) in [
-        ("checkpoint.json", "{", "checkpoint.json"),
-        ("series.csv", "time\n0\n", "series.csv"),
-        ("series.csv", "time,kinetic_energy\n0,x\n", "series.csv"),
-        ("frame_0002.vtu", "<VTKFile", "frame_0002.vtu"),
-    ] {
-        let sound = folder.bytes(&format!("dam/{file}"));
-        folder.write(&format!("dam/{file}"), content);
-        folder.fail_with(1, &resume, &[part]);
-        folder.write(&format!("dam/{file}"), sound);
+    let run = "run taylor-green --resolution 8 --scalar f32 --kernel cubic-spline --no-pictures";
+    folder.succeed(&format!("{run} --time 0.05 --out parted"));
+    let summary = String::from_utf8(folder.bytes("parted/summary.json")).unwrap();
+    let summary: serde_json::Value = serde_json::from_str(&summary).unwrap();
+    // a fiftieth of the time of the first run
+    let every = summary["every"].as_f64().unwrap();
+    assert!((every / 0.001 - 1.0).abs() < 1e-12, "{every}");
+    folder.succeed("run --time 0.1 --out parted --resume --no-pictures");
+    folder.succeed(&format!("{run} --time 0.1 --every {every} --out whole"));
+    for file in ["series.csv", "frame_0050.vtu", "frame_0100.vtu", "frames.pvd"] {
+        let [a, b] = ["whole", "parted"].map(|place| folder.bytes(&format!("{place}/{file}")));
+        assert!(a == b, "{file}");
     }
-    assert_eq!(kept, folder.bytes("dam/checkpoint.json"));
-    folder.succeed(&resume);
+    // without --time, the time of the run is kept too
+    folder.succeed("run --out parted --resume --no-pictures");
+    assert!(!folder.path("parted/frame_0101.vtu").exists());
+    // the decimal digits of the spacing are the spacing
+    folder.succeed("run --every 0.001 --out parted --resume --no-pictures");
 }

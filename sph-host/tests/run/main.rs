@@ -5,6 +5,7 @@
 mod support;
 
 mod again;
+mod damage;
 mod files;
 mod pbf;
 mod process;

@@ -1,20 +1,37 @@
 //! Right and wrong words.
 
+use sph_host::run::CaseName;
+
 use crate::support::Folder;
 
 #[test]
 fn the_list_names_every_case() {
     let folder = Folder::new();
     let list = folder.succeed("run --list").stdout;
-    for case in ["dam-break", "hydrostatic", "drop", "taylor-green", "poiseuille", "tilt"] {
-        assert!(list.lines().any(|line| line.starts_with(case)), "{list}");
+    assert_eq!(list.lines().count(), CaseName::ALL.len(), "{list}");
+    for (line, case) in list.lines().zip(CaseName::ALL) {
+        assert!(line.starts_with(case.name()) && line.ends_with(case.about()), "{line}");
     }
     assert!(folder.names().is_empty());
     let help = folder.succeed("run --help").stdout;
-    for word in
-        ["--solver", "--resolution", "--time", "--every", "--resume", "--check", "Example: fluisim run"]
-    {
+    let help = help.split_whitespace().collect::<Vec<_>>().join(" ");
+    for word in [
+        "--solver",
+        "pbf for tilt and wcsph for all others",
+        "3 for dam-break",
+        "8 to 2000, in three dimensions to 256",
+        "20 for dam-break in three dimensions",
+        "--time",
+        "--every",
+        "--resume",
+        "--no-pictures",
+        "--check",
+        "Example: fluisim run",
+    ] {
         assert!(help.contains(word), "{word}: {help}");
+    }
+    for case in CaseName::ALL {
+        assert!(help.contains(case.about()), "{case}: {help}");
     }
 }
 
@@ -24,7 +41,7 @@ fn words_that_cannot_be_are_wrong_usage_and_make_nothing() {
     for (words, part) in [
         ("run teapot", "teapot"),
         ("run --solver magic", "magic"),
-        ("run --resolution 2", "--resolution 2"),
+        ("run --resolution 2", "--resolution 2: expected 8 to 2000"),
         ("run --resolution 100000", "100000"),
         ("run --resolution -4", "-4"),
         ("run --resolution x", "'x'"),
@@ -47,7 +64,9 @@ fn words_that_cannot_be_are_wrong_usage_and_make_nothing() {
         ("run --solver pbf --scalar i4f28", "support radii"),
         ("run tilt --solver wcsph --scalar i16f16", "i16f16"),
         ("run tilt --dim 3", "--dim 3"),
-        ("run --dim 4", "--dim"),
+        ("run --dim 4", "--dim 4: dam-break in 4 dimensions: it has 2 or 3"),
+        ("run --dim 1", "--dim 1"),
+        ("run --dim 3 --resolution 1000", "--resolution 1000: expected 8 to 256"),
         ("run drop --dim 3", "--dim 3"),
         ("run --resume --force", "--force"),
         ("run --frobnicate", "--frobnicate"),
@@ -59,7 +78,40 @@ fn words_that_cannot_be_are_wrong_usage_and_make_nothing() {
 #[test]
 fn a_place_that_is_no_directory_is_an_error() {
     let folder = Folder::with("taken", "");
-    folder.fail_with(1, "run --resolution 8 --time 0.001 --out taken", &["taken"]);
+    for option in ["", "--force", "--resume"] {
+        let words = format!("run --resolution 8 --time 0.001 --out taken {option}");
+        folder.fail_with(1, &words, &["--out taken: is a file, expected a directory"]);
+    }
+    folder.fail_with(1, "run --resolution 8 --time 0.001 --out taken/dam", &["taken/dam", "Not a directory"]);
+    assert_eq!(folder.bytes("taken"), b"");
+}
+
+#[test]
+fn what_the_run_did_not_come_to_is_not_measured() {
+    let folder = Folder::new();
+    for (words, measured) in [
+        ("run dam-break --resolution 8 --time 0.05", 2),
+        ("run drop --resolution 8 --time 0.001", 4),
+        ("run hydrostatic --resolution 8 --time 0.05", 2),
+        ("run tilt --resolution 8 --time 0.1", 3),
+        ("run poiseuille --resolution 40 --time 0.001", 1),
+        ("run taylor-green --resolution 8 --time 0.01", 2),
+    ] {
+        let said = folder.succeed(&format!("{words} --no-pictures --force --out case --check"));
+        assert!(!said.stdout.contains("FALLS SHORT"), "{words}: {}", said.stdout);
+        let summary: serde_json::Value = serde_json::from_slice(&folder.bytes("case/summary.json")).unwrap();
+        let checks = summary["checks"].as_array().unwrap();
+        let not_measured = checks.len() - measured;
+        assert_eq!(said.stdout.matches("not measured").count(), not_measured, "{words}: {}", said.stdout);
+        assert!(
+            said.stderr.contains(&format!("{not_measured} of {} goals were not", checks.len())),
+            "{}",
+            said.stderr
+        );
+        let nulls = checks.iter().filter(|check| check["value"].is_null() && check["holds"].is_null());
+        assert_eq!(nulls.count(), not_measured, "{words}: {checks:?}");
+        assert!(checks.iter().all(|check| check["goal"].is_number()));
+    }
 }
 
 #[test]

@@ -9,13 +9,24 @@
 
 use std::f64::consts::PI;
 
-use super::{Case, View};
 use crate::engine::{Setup, Snapshot, StateEquation, cells, centre, walls};
 use crate::picture::plot::{Mark, Plot, Series as Curve};
-use crate::run::series::{Check, Series};
+use crate::run::check::Check;
+use crate::run::definition::{Case, Definition, Form, Results};
+use crate::run::drawing::View;
+use crate::run::solver::Solver;
 
-/// The file of the plot.
-pub(super) const PLOT: &str = "profile.png";
+/// The case.
+pub(super) static CASE: Definition = Definition {
+    across: "the channel",
+    duration: || TIMES[3],
+    plot: "profile.png",
+    columns: &["profile_error"],
+    solvers: &[Solver::Wcsph],
+    in_2d: Some(Form { resolution: 40, build: |resolution| Box::new(Poiseuille { resolution }) }),
+    in_3d: None,
+};
+
 const WIDTH: f64 = 1e-3;
 const VISCOSITY: f64 = 1e-6;
 const FORCE: f64 = 1e-4;
@@ -23,9 +34,9 @@ const FORCE: f64 = 1e-4;
 const TIMES: [f64; 4] = [0.0225, 0.045, 0.1125, 0.225];
 
 /// The start of a Poiseuille flow.
-pub(in crate::run) struct Poiseuille {
+struct Poiseuille {
     /// Particles across the channel.
-    pub(in crate::run) resolution: u32,
+    resolution: u32,
 }
 
 fn exact(y: f64, time: f64) -> f64 {
@@ -77,31 +88,24 @@ impl Case<2> for Poiseuille {
         }
     }
 
-    fn duration(&self) -> f64 {
-        TIMES[3]
-    }
-
     fn inside(&self) -> [(f64, f64); 2] {
         [(f64::NEG_INFINITY, f64::INFINITY), (0.0, WIDTH)]
-    }
-
-    fn columns(&self) -> &'static [&'static str] {
-        &["profile_error"]
     }
 
     fn measure(&self, now: &Snapshot<2>) -> Vec<f64> {
         vec![profile_error(now)]
     }
 
-    fn checks(&self, series: &Series, _: &Snapshot<2>) -> Vec<Check> {
+    fn checks(&self, results: &Results<2>) -> Vec<Check> {
         let at = |time: f64| {
-            let error = series.at("profile_error", time).unwrap_or(f64::NAN);
+            let error = results.series.at("profile_error", time);
             Check::at_most(format!("velocity profile at {time} s, worst / greatest"), error, 0.02)
         };
         TIMES.map(at).to_vec()
     }
 
-    fn plots(&self, series: &Series, last: &Snapshot<2>) -> (&'static str, Vec<Vec<Plot>>) {
+    fn plots(&self, results: &Results<2>) -> Vec<Vec<Plot>> {
+        let last = results.last;
         let mut curves = Vec::new();
         for time in TIMES.into_iter().chain([last.time]) {
             let points = (0..=50).map(|k| f64::from(k) / 50.0).map(|y| [exact(y * WIDTH, time) * 1e6, y]);
@@ -125,12 +129,12 @@ impl Case<2> for Poiseuille {
             y_title: "error".into(),
             series: vec![Curve {
                 name: "error".into(),
-                points: series.column("profile_error"),
+                points: results.series.column("profile_error"),
                 mark: Mark::Line,
             }],
             ..Plot::default()
         };
-        (PLOT, vec![vec![profile, error]])
+        vec![vec![profile, error]]
     }
 
     fn view(&self) -> View {
@@ -147,6 +151,15 @@ impl Case<2> for Poiseuille {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::run::CaseName;
+    use crate::run::tests::{assert_within, values};
+    use crate::scalar_choice::ScalarName;
+
+    #[test]
+    fn the_flow_starts_as_the_series_says() {
+        let found = values(CaseName::Poiseuille, 16, ScalarName::F64, Some(0.225));
+        assert_within(&found, &[[1e-4, 0.04]; 4]);
+    }
 
     #[test]
     fn the_series_starts_at_rest_and_ends_as_a_parabola() {

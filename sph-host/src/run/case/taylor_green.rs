@@ -6,21 +6,30 @@ use std::f64::consts::PI;
 
 use sph_core::vector::{norm_squared, scale, sub};
 
-use super::{Case, View, conservation};
 use crate::engine::{Setup, Snapshot, StateEquation, cells, centre, jittered};
 use crate::picture::plot::{Mark, Plot, Series as Curve};
-use crate::run::series::{Check, Series};
+use crate::run::check::Check;
+use crate::run::definition::{Case, Definition, Form, Results};
+use crate::run::drawing::View;
+use crate::run::solver::Solver;
 
-/// The file of the plot.
-pub(super) const PLOT: &str = "decay.png";
+/// The case.
+pub(super) static CASE: Definition = Definition {
+    across: "the period",
+    duration: || 1.0,
+    plot: "decay.png",
+    columns: &["decay_error", "velocity_error"],
+    solvers: &[Solver::Wcsph],
+    in_2d: Some(Form { resolution: 50, build: |resolution| Box::new(TaylorGreen { resolution }) }),
+    in_3d: None,
+};
+
 const REYNOLDS: f64 = 100.0;
 
 /// The Taylor-Green vortices.
-pub(in crate::run) struct TaylorGreen {
+struct TaylorGreen {
     /// Particles over the period.
-    pub(in crate::run) resolution: u32,
-    /// Relative rounding of a sum over the particles, which momentum is kept to.
-    pub(in crate::run) rounding: f64,
+    resolution: u32,
 }
 
 /// Kinetic energy over that at the start.
@@ -69,14 +78,6 @@ impl Case<2> for TaylorGreen {
         }
     }
 
-    fn duration(&self) -> f64 {
-        1.0
-    }
-
-    fn columns(&self) -> &'static [&'static str] {
-        &["decay_error", "velocity_error"]
-    }
-
     fn measure(&self, now: &Snapshot<2>) -> Vec<f64> {
         let count = now.velocities.len() as f64;
         let squares: f64 = now.velocities.iter().map(norm_squared).sum();
@@ -88,15 +89,15 @@ impl Case<2> for TaylorGreen {
         vec![squares / count / energy - 1.0, (errors / count / energy).sqrt()]
     }
 
-    fn checks(&self, series: &Series, _: &Snapshot<2>) -> Vec<Check> {
-        let error = series.at("decay_error", 1.0).unwrap_or(f64::NAN);
+    fn checks(&self, results: &Results<2>) -> Vec<Check> {
+        let error = results.series.at("decay_error", 1.0);
         let mut checks = vec![Check::at_most("kinetic energy at t = 1 against the exact one", error, 0.03)];
-        checks.extend(conservation(series, self.rounding, false));
+        checks.extend(results.conservation(false));
         checks
     }
 
-    fn plots(&self, series: &Series, _: &Snapshot<2>) -> (&'static str, Vec<Vec<Plot>>) {
-        let errors = series.column("decay_error");
+    fn plots(&self, results: &Results<2>) -> Vec<Vec<Plot>> {
+        let errors = results.series.column("decay_error");
         let log = |t: f64, factor: f64| [t, (factor * exact(t)).log10()];
         let ours = errors.iter().map(|&[t, error]| log(t, 1.0 + error)).collect();
         let theirs = errors.iter().map(|&[t, _]| log(t, 1.0)).collect();
@@ -110,10 +111,23 @@ impl Case<2> for TaylorGreen {
             ],
             ..Plot::default()
         };
-        (PLOT, vec![vec![plot]])
+        vec![vec![plot]]
     }
 
     fn view(&self) -> View {
         View { radius: 0.5 / f64::from(self.resolution), lower: [0.0; 2], upper: [1.0; 2], speed: 1.0 }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::run::CaseName;
+    use crate::run::tests::{assert_within, values};
+    use crate::scalar_choice::ScalarName;
+
+    #[test]
+    fn vortices_decay_as_they_must() {
+        let found = values(CaseName::TaylorGreen, 20, ScalarName::F64, Some(1.0));
+        assert_within(&found, &[[-0.1, 0.1], [0.0, 1e-12]]);
     }
 }

@@ -4,15 +4,26 @@
 //! with the world, and the centre of mass of a layer H deep in a box L wide is off the middle by L² tan θ/(12 H) and
 //! H/2 + L² tan² θ/(24 H) above the floor.
 
-use super::{Case, View};
-use crate::engine::{Setup, Snapshot, StateEquation, cells, centre, walls};
+use crate::engine::{Setup, Snapshot, StateEquation, cells, centre};
 use crate::picture::plot::{Mark, Plot, Series as Curve};
 use crate::picture::{Image, PictureError};
-use crate::run::frame::lamps;
-use crate::run::series::{Check, Series};
+use crate::run::check::Check;
+use crate::run::definition::{Case, Definition, Form, Results};
+use crate::run::drawing::{self, View};
+use crate::run::solver::Solver;
+use crate::run::tank::Tank;
 
-/// The file of the plot.
-pub(super) const PLOT: &str = "tilt.png";
+/// The case.
+pub(super) static CASE: Definition = Definition {
+    across: "the box",
+    duration: || SCRIPT[SCRIPT.len() - 1].0,
+    plot: "tilt.png",
+    columns: &["fluid_height", "centre_offset"],
+    solvers: &[Solver::Pbf, Solver::Wcsph],
+    in_2d: Some(Form { resolution: 32, build: |resolution| Box::new(Tilt { resolution }) }),
+    in_3d: None,
+};
+
 const GRAVITY: f64 = 9.81;
 const DENSITY: f64 = 1000.0;
 /// L; the box is as high.
@@ -24,14 +35,18 @@ const SCRIPT: [(f64, f64); 8] =
 const HELD: [f64; 2] = [3.0, 6.0];
 
 /// The box that is turned.
-pub(in crate::run) struct Tilt {
+struct Tilt {
     /// Particles across the box.
-    pub(in crate::run) resolution: u32,
+    resolution: u32,
 }
 
 impl Tilt {
     fn spacing(&self) -> f64 {
         WIDTH / f64::from(self.resolution)
+    }
+
+    fn tank(&self) -> Tank<2> {
+        Tank::closed([self.resolution.into(); 2], [WIDTH; 2], self.spacing())
     }
 
     /// H, a whole number of layers.
@@ -70,13 +85,12 @@ fn mean(now: &Snapshot<2>, axis: usize) -> f64 {
 
 impl Case<2> for Tilt {
     fn setup(&self) -> Setup<2> {
-        let (spacing, reach, n) = (self.spacing(), 2.6, i64::from(self.resolution));
+        let (spacing, tank, n) = (self.spacing(), self.tank(), i64::from(self.resolution));
         let positions: Vec<_> =
             cells([0; 2], [n, self.layers()]).iter().map(|cell| centre(cell, spacing)).collect();
-        let margin = 3.0 * spacing;
         Setup {
             spacing,
-            reach,
+            reach: 2.6,
             state_equation: StateEquation::Tait,
             rest_density: DENSITY,
             sound_speed: 10.0 * (2.0 * GRAVITY * WIDTH).sqrt(),
@@ -89,36 +103,31 @@ impl Case<2> for Tilt {
             velocities: vec![[0.0; 2]; positions.len()],
             pressures: positions.iter().map(|x| DENSITY * GRAVITY * (self.depth() - x[1])).collect(),
             positions,
-            walls: walls([n, n], reach.ceil() as i64, [(true, true); 2], spacing),
-            lower: [-margin; 2],
-            upper: [WIDTH + margin; 2],
+            walls: tank.walls(),
+            lower: tank.lower(),
+            upper: tank.upper(),
             periodic: [false; 2],
         }
     }
 
-    fn duration(&self) -> f64 {
-        SCRIPT[SCRIPT.len() - 1].0
-    }
-
     fn inside(&self) -> [(f64, f64); 2] {
-        [(0.0, WIDTH); 2]
-    }
-
-    fn columns(&self) -> &'static [&'static str] {
-        &["fluid_height", "centre_offset"]
+        self.tank().inside()
     }
 
     fn measure(&self, now: &Snapshot<2>) -> Vec<f64> {
         vec![2.0 * mean(now, 1), mean(now, 0) - 0.5 * WIDTH]
     }
 
-    fn checks(&self, series: &Series, _: &Snapshot<2>) -> Vec<Check> {
-        let at = |name, time| series.at(name, time).unwrap_or(f64::NAN);
-        let end = self.duration();
+    fn checks(&self, results: &Results<2>) -> Vec<Check> {
+        let at = |name, time| results.series.at(name, time);
+        let end = SCRIPT[SCRIPT.len() - 1].0;
         let mass = DENSITY * WIDTH * self.depth();
-        let speed = (2.0 * at("kinetic_energy", end) / mass).sqrt() / (GRAVITY * self.depth()).sqrt();
-        let height = at("fluid_height", end) / self.depth() - 1.0;
-        let level = HELD.map(|time| (at("centre_offset", time) / self.level_offset(time) - 1.0).abs());
+        let speed = at("kinetic_energy", end)
+            .map(|energy| (2.0 * energy / mass).sqrt() / (GRAVITY * self.depth()).sqrt());
+        let height = at("fluid_height", end).map(|height| height / self.depth() - 1.0);
+        let level = HELD.map(|time| {
+            at("centre_offset", time).map(|offset| (offset / self.level_offset(time) - 1.0).abs())
+        });
         vec![
             Check::at_most("fluid height at rest against the volume put in", height, 0.03),
             Check::at_most("speed at rest / √(g H), RMS", speed, 0.01),
@@ -127,9 +136,9 @@ impl Case<2> for Tilt {
         ]
     }
 
-    fn plots(&self, series: &Series, _: &Snapshot<2>) -> (&'static str, Vec<Vec<Plot>>) {
+    fn plots(&self, results: &Results<2>) -> Vec<Vec<Plot>> {
         let over = |points: Vec<[f64; 2]>, unit: f64| points.into_iter().map(move |[t, v]| [t, v / unit]);
-        let level = series.column("time").into_iter().map(|[t, _]| [t, self.level_offset(t) / WIDTH]);
+        let level = results.series.column("time").into_iter().map(|[t, _]| [t, self.level_offset(t) / WIDTH]);
         let curve = |name: &str, points, mark| Curve { name: name.into(), points, mark };
         let offset = Plot {
             title: "Centre of mass".into(),
@@ -137,23 +146,23 @@ impl Case<2> for Tilt {
             y_title: "off the middle / L".into(),
             series: vec![
                 curve("level surface", level.collect(), Mark::Line),
-                curve("fluisim", over(series.column("centre_offset"), WIDTH).collect(), Mark::Points),
+                curve("fluisim", over(results.series.column("centre_offset"), WIDTH).collect(), Mark::Points),
             ],
             ..Plot::default()
         };
         let lift = |t: f64| self.level_offset(t) * angle(t).tan() / self.depth();
-        let level_height = series.column("time").into_iter().map(|[t, _]| [t, 1.0 + lift(t)]);
+        let level_height = results.series.column("time").into_iter().map(|[t, _]| [t, 1.0 + lift(t)]);
         let height = Plot {
             title: "Height: twice the mean height of the particles".into(),
             x_title: "t / s".into(),
             y_title: "height / H".into(),
             series: vec![
                 curve("level surface", level_height.collect(), Mark::Line),
-                curve("fluisim", over(series.column("fluid_height"), self.depth()).collect(), Mark::Points),
+                curve("fluisim", over(results.series.column("fluid_height"), self.depth()).collect(), Mark::Points),
             ],
             ..Plot::default()
         };
-        (PLOT, vec![vec![offset, height]])
+        vec![vec![offset, height]]
     }
 
     fn view(&self) -> View {
@@ -162,7 +171,7 @@ impl Case<2> for Tilt {
 
     fn picture(&self, now: &Snapshot<2>, title: &str) -> Result<Image, PictureError> {
         let title = format!("{title}, turned by {:.0}°", angle(now.time).to_degrees());
-        lamps(now, &self.view(), 2.0 * self.spacing(), &title)
+        drawing::lamps(now, &self.view(), 2.0 * self.spacing(), &title)
     }
 }
 

@@ -5,7 +5,6 @@ use sph_core::fluid::EquationOfState;
 use sph_core::vector::{dot, norm_squared};
 use sph_core::{CellGrid, CellLayout, Neighbours};
 
-use super::Solver;
 use crate::engine::{Setup, Snapshot};
 
 /// What every row of the series begins with, after the time.
@@ -16,8 +15,11 @@ pub(super) const COLUMNS: [&str; 5] =
 pub(super) const LAST_COLUMNS: [&str; 4] =
     ["compression_energy", "momentum_error", "angular_momentum_error", "outside"];
 
-/// Measures snapshots of one case.
-pub(super) struct Meter<const D: usize> {
+/// A distance at which particles count as near, in first spacings.
+pub(super) const NEAR: f64 = 0.6;
+
+/// Measures the fluid of one case.
+pub(super) struct Diagnostics<const D: usize> {
     mass: f64,
     spacing: f64,
     rest_density: f64,
@@ -34,12 +36,12 @@ pub(super) struct Meter<const D: usize> {
     inside: [(f64, f64); D],
 }
 
-impl<const D: usize> Meter<D> {
-    /// A meter for a case that starts so; particles beyond `inside` have escaped.
+impl<const D: usize> Diagnostics<D> {
+    /// The diagnostics of a case that starts so; particles beyond `inside` have escaped.
     pub(super) fn new(
         setup: &Setup<D>,
         inside: [(f64, f64); D],
-        solver: Solver,
+        has_equation_of_state: bool,
     ) -> Result<Self, sph_core::Error> {
         let mass = setup.mass();
         let momentum = momentum(mass, &setup.velocities);
@@ -50,10 +52,7 @@ impl<const D: usize> Meter<D> {
             spacing: setup.spacing,
             rest_density: setup.rest_density,
             gravity: setup.gravity,
-            state: match solver {
-                Solver::Wcsph => Some(setup.liquid::<f64>()?.equation_of_state),
-                Solver::Pbf => None,
-            },
+            state: if has_equation_of_state { Some(setup.liquid::<f64>()?.equation_of_state) } else { None },
             layout: crate::engine::layout(setup, 2.0 * setup.spacing).ok(),
             momentum,
             spin,
@@ -102,12 +101,13 @@ impl<const D: usize> Meter<D> {
         ]
     }
 
-    /// How many particles are nowhere, or behind the first layer of wall particles. One that hits a wall hard may come as far.
+    /// Particles behind the first layer of wall particles, or with a coordinate that is not finite. One that hits a wall hard may
+    /// come as far as that layer.
     fn outside(&self, now: &Snapshot<D>) -> usize {
-        let slack = self.spacing;
+        let layer = self.spacing;
         let is_inside = |x: &&[f64; D]| {
             let mut sides = x.iter().zip(&self.inside);
-            sides.all(|(x, &(lower, upper))| (lower - slack..=upper + slack).contains(x))
+            sides.all(|(x, &(lower, upper))| (lower - layer..=upper + layer).contains(x))
         };
         now.positions.len() - now.positions.iter().filter(is_inside).count()
     }
@@ -117,12 +117,10 @@ impl<const D: usize> Meter<D> {
         self.nearest(now).map_or(f64::NAN, |nearest| nearest.into_iter().fold(2.0, f64::min))
     }
 
-    /// The share of particles whose nearest neighbour is nearer than so many spacings, at most 2.
-    pub(super) fn share_nearer_than(&self, spacings: f64, now: &Snapshot<D>) -> f64 {
-        let share = |nearest: Vec<f64>| {
-            nearest.iter().filter(|&&nearest| nearest < spacings).count() as f64 / nearest.len() as f64
-        };
-        self.nearest(now).map_or(f64::NAN, share)
+    /// The share of particles that have another nearer than [`NEAR`].
+    pub(super) fn share_of_near(&self, now: &Snapshot<D>) -> Option<f64> {
+        let nearest = self.nearest(now)?;
+        Some(nearest.iter().filter(|&&nearest| nearest < NEAR).count() as f64 / nearest.len() as f64)
     }
 
     /// The distance of each particle to the nearest other, in first spacings; 2 where none is nearer than that.

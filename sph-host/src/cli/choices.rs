@@ -1,0 +1,24 @@
+//! The library's lists as words of the command line.
+
+use clap::ValueEnum;
+use clap::builder::PossibleValue;
+
+use crate::kernel_choice::KernelName;
+use crate::run::{CaseName, Solver};
+use crate::scalar_choice::ScalarName;
+
+macro_rules! words {
+    ($($Enum:ident),+) => {$(
+        impl ValueEnum for $Enum {
+            fn value_variants<'a>() -> &'a [Self] {
+                Self::ALL
+            }
+
+            fn to_possible_value(&self) -> Option<PossibleValue> {
+                Some(PossibleValue::new(self.name()).help(self.about()))
+            }
+        }
+    )+};
+}
+
+words!(KernelName, ScalarName, CaseName, Solver);
