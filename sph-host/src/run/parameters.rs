@@ -40,15 +40,14 @@ impl Parameters {
 
     /// Back from JSON; `None` where something is missing or not known.
     pub(super) fn of_json(json: &Value) -> Option<Self> {
-        let (scalar, kernel) = (json["scalar"].as_str()?, json["kernel"].as_str()?);
         let positive = |name: &str| json[name].as_f64().filter(|value| value.is_finite() && *value > 0.0);
         Some(Self {
             case: CaseName::of_name(json["case"].as_str()?)?,
             solver: Solver::of_name(json["solver"].as_str()?)?,
             dim: json["dim"].as_u64()?.try_into().ok()?,
             resolution: json["resolution"].as_u64()?.try_into().ok()?,
-            scalar: ScalarName::ALL.iter().copied().find(|known| known.name() == scalar)?,
-            kernel: KernelName::ALL.iter().copied().find(|known| known.name() == kernel)?,
+            scalar: ScalarName::of_name(json["scalar"].as_str()?)?,
+            kernel: KernelName::of_name(json["kernel"].as_str()?)?,
             every: positive("every")?,
             time: positive("time")?,
         })
