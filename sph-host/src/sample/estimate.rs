@@ -90,12 +90,6 @@ estimates! {
     Corrected: "corrected", Facts { weights: false, without_mass: false };
 }
 
-impl Default for Estimate {
-    fn default() -> Self {
-        Self::Plain
-    }
-}
-
 impl<'a, T: Scalar, const D: usize> Around<'a, T, D> {
     fn volumes(&self) -> Volumes<'a, T, D> {
         Sources::assume_checked(self.stencil, self.stencil.pick(self.volumes))

@@ -59,7 +59,9 @@ impl Units {
             None => 1.0,
         };
         let density = match (span.masses, span.densities) {
-            (Some(_), _) => axes.iter().fold(mass, |density, _| density / length),
+            // step by step: no power of a small length leaves the range of f64 before the density does
+            (Some(_), _) if is_float => axes.iter().fold(mass, |density, _| density / length),
+            (Some(_), _) => mass / length.powi(axes.len() as i32),
             // weights 1 / ρ: the largest density is the unit
             (None, Some((_, most))) => unit(most),
             (None, None) => 1.0,

@@ -137,9 +137,9 @@ impl<T: Real, const D: usize> Weights<T, D> {
         let failed = |error: Error| SampleError::Sums { file: particles.file.clone(), error };
         let column = |values: &[f64], unit, what| fitted::<T>(values.iter(), unit, what, &particles.file);
         let masses = particles.masses.as_ref().map(|m| column(m, units.mass, "mass")).transpose()?;
-        let given =
-            particles.densities.as_ref().map(|rho| column(rho, units.density, "density")).transpose()?;
         let has_fields = !particles.quantities.is_empty();
+        let given = particles.densities.as_ref().filter(|_| has_fields);
+        let given = given.map(|rho| column(rho, units.density, "density")).transpose()?;
         // with radii of their own, densities are sums at points: those of the fields are the same effort
         let is_one_pass = matches!(set, Set::Cells(_)) || given.is_none() || !has_fields;
         let at_particles = are_particles && !request.gradient && is_one_pass;
