@@ -4,7 +4,6 @@
 
 use std::f64::consts::PI;
 
-use crate::failure::Failure;
 use crate::io::{Array, PointTable};
 
 /// A particle set and a support radius that suits it.
@@ -41,12 +40,6 @@ pub fn set(name: &str, particles: Option<usize>) -> Option<Demo> {
         "lattice" => Some(lattice(particles.unwrap_or(27_000))),
         _ => None,
     }
-}
-
-/// The error for a name that is none.
-pub(crate) fn unknown(name: &str) -> Failure {
-    let names: Vec<String> = SETS.iter().map(|(name, _)| format!("demo:{name}")).collect();
-    Failure::usage(format!("there is no built-in set `demo:{name}`: choose {}", names.join(", ")))
 }
 
 fn vortex(particles: usize) -> Demo {

@@ -3,7 +3,7 @@
 use std::fs;
 use std::time::Duration;
 
-use sph_host::output::{Column, Grid, Precision, Table, Target, WriteError, write};
+use sph_host::output::{Column, Grid, Precision, Role, Table, Target, WriteError, write};
 use sph_host::picture::animation::Animation;
 use sph_host::picture::heat_map::{self, HeatMap, Panel, Plane};
 use sph_host::picture::particles::{self, Frame};
@@ -100,7 +100,11 @@ fn a_sample_on_a_grid_becomes_a_png() {
         Column::new(name, (0..grid.cells()).map(|cell| middle(cell, f(x[cell]))).collect())
     };
     let mut table = Table {
-        columns: vec![column("a", &|x| x * x), column("a_dx", &|x| 2.0 * x), column("a_dy", &|_| 0.0)],
+        columns: vec![
+            column("a", &|x| x * x),
+            column("a_dx", &|x| 2.0 * x).in_role(Role::Gradient { of: 0, axis: 0 }),
+            column("a_dy", &|_| 0.0).in_role(Role::Gradient { of: 0, axis: 1 }),
+        ],
         coordinates: coordinates.clone(),
         grid: Some(grid.clone()),
         precision: Precision::F64,
@@ -113,7 +117,7 @@ fn a_sample_on_a_grid_becomes_a_png() {
     // Without a_dz there is no gradient: three panels, two in a row.
     let three = draw(&table, "three.png").unwrap();
     assert_eq!(three.width, 1400);
-    table.columns.push(column("a_dz", &|_| 0.0));
+    table.columns.push(column("a_dz", &|_| 0.0).in_role(Role::Gradient { of: 0, axis: 2 }));
     let pair = draw(&table, "pair.png").unwrap();
     assert!(pair.width == 1400 && pair.height < three.height);
     assert!(runs(&pair, GREY).0 < 5, "the middle layer has all values");

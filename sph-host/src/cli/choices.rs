@@ -5,6 +5,7 @@ use clap::builder::PossibleValue;
 
 use crate::kernel_choice::KernelName;
 use crate::run::{CaseName, Solver};
+use crate::sample::Estimate;
 use crate::scalar_choice::ScalarName;
 
 macro_rules! words {
@@ -21,4 +22,4 @@ macro_rules! words {
     )+};
 }
 
-words!(KernelName, ScalarName, CaseName, Solver);
+words!(KernelName, ScalarName, Estimate, CaseName, Solver);

@@ -6,6 +6,7 @@ mod parse;
 mod progress;
 mod run;
 mod sample;
+mod sample_messages;
 
 use std::io::Write;
 use std::process::ExitCode;

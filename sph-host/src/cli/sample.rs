@@ -1,14 +1,16 @@
-//! `fluisim sample`: words to [`Request`], table to file.
+//! `fluisim sample`: words to a [`Request`], its result to a file.
 
 use std::io::BufWriter;
 use std::path::PathBuf;
 use std::time::Instant;
 
+use clap::builder::PossibleValue;
 use clap::{ArgGroup, Args};
-use serde_json::json;
+use serde_json::{Map, Value, json};
 
 use super::parse::{self, Bounds, Counts};
 use super::progress::Bar;
+use super::sample_messages::{explain, in_words, unknown_set};
 use super::{say, to_stdout};
 use crate::demo;
 use crate::failure::Failure;
@@ -47,7 +49,8 @@ pub(super) struct SampleArgs {
     /// The smoothing kernel
     #[arg(long, value_enum, default_value_t = KernelName::CubicSpline)]
     kernel: KernelName,
-    /// Dimensions, where a file has more coordinates than are meant: 2 for a 3-D file whose z are all equal
+    /// Dimensions, where a file has more coordinates than are meant: 2 for a 3-D file whose particles lie in a plane. Drops an axis
+    /// along which all coordinates are equal
     #[arg(long, value_parser = clap::value_parser!(u8).range(1..=3))]
     dim: Option<u8>,
     /// A field to evaluate, again for more; without it, every numeric array that is not special
@@ -71,7 +74,7 @@ pub(super) struct SampleArgs {
     smoothing_length_column: Option<String>,
 
     /// The sum that stands for a field
-    #[arg(long, value_enum, default_value_t = Estimate::Plain)]
+    #[arg(long, value_name = "ESTIMATE", default_value = Estimate::Plain.name(), value_parser = parse::Listed(estimates))]
     estimate: Estimate,
     /// The mass of every particle, over a column
     #[arg(long, value_name = "M", value_parser = parse::positive, allow_hyphen_values = true)]
@@ -92,7 +95,8 @@ pub(super) struct SampleArgs {
     /// Threads; without it, one for each core. No bit of the result depends on it
     #[arg(long, value_name = "N", value_parser = parse::count)]
     threads: Option<usize>,
-    /// Sum in sph-core's documented order, so that the bits are those of firmware
+    /// Sum in sph-core's documented order, so that the bits are those of firmware in the same units from the same origin:
+    /// a line of JSON on stderr says which
     #[arg(long)]
     exact: bool,
     /// The result's file; without it, CSV on stdout
@@ -109,18 +113,21 @@ pub(super) struct SampleArgs {
     timing: bool,
 }
 
-/// Does what the words say.
+/// Samples as the words say.
 pub(super) fn run(args: SampleArgs) -> Result<(), Failure> {
     let target = args.out.clone().map(|path| Target { path, force: args.force });
-    let (quiet, timing, on_grid) = (args.quiet, args.timing, args.grid.is_some());
+    let (quiet, timing, exact) = (args.quiet, args.timing, args.exact);
     let request = request(args)?;
     if let Some(target) = &target {
-        target.check(on_grid)?;
+        target.check(matches!(request.at, SamplePoints::Grid { .. }))?;
     }
-    let sampled =
-        sample::run(&request, &Bar::new(quiet, "{bar:40} {human_pos}/{human_len} points, {eta} left"))?;
+    let bar = Bar::new(quiet, "{bar:40} {human_pos}/{human_len} points, {eta} left");
+    let sampled = sample::run(&request, &bar).map_err(explain)?;
     for warning in &sampled.warnings {
-        say(&format!("warning: {warning}"));
+        say(&format!("warning: {}", in_words(warning)));
+    }
+    if exact {
+        say(&format!("units: {}", units_line(&sampled)));
     }
     let start = Instant::now();
     match &target {
@@ -131,6 +138,12 @@ pub(super) fn run(args: SampleArgs) -> Result<(), Failure> {
         say(&format!("timing: {}", timing_line(&sampled, start.elapsed().as_secs_f64())));
     }
     Ok(())
+}
+
+/// The estimates with what they are.
+fn estimates() -> Vec<(PossibleValue, Estimate)> {
+    let one = |&estimate: &Estimate| (PossibleValue::new(estimate.name()).help(estimate.about()), estimate);
+    Estimate::ALL.iter().map(one).collect()
 }
 
 /// What the words ask for, where they are words that can be.
@@ -146,7 +159,7 @@ fn request(args: SampleArgs) -> Result<Request, Failure> {
         return Err(Failure::usage("--bounds is the box of a grid: it needs --grid"));
     }
     let dim = args.dim.map(usize::from);
-    let particles = particulars(args.particles, args.count)?;
+    let particles = particle_source(args.particles, args.count)?;
     if args.chunk.is_some() && matches!(particles, ParticleSource::Demo(..)) {
         return Err(Failure::usage("--chunk reads a file some particles at a time, not a built-in set"));
     }
@@ -186,10 +199,10 @@ fn request(args: SampleArgs) -> Result<Request, Failure> {
     })
 }
 
-fn particulars(words: PathBuf, count: Option<usize>) -> Result<ParticleSource, Failure> {
+fn particle_source(words: PathBuf, count: Option<usize>) -> Result<ParticleSource, Failure> {
     if let Some(name) = words.to_str().and_then(|words| words.strip_prefix("demo:")) {
         if demo::SETS.iter().all(|(known, _)| *known != name) {
-            return Err(demo::unknown(name));
+            return Err(unknown_set(name));
         }
         return Ok(ParticleSource::Demo(name.to_owned(), count));
     }
@@ -213,7 +226,23 @@ fn check_dimensions(counts: &[usize], bounds: Option<&[f64]>, dim: Option<usize>
     Ok(())
 }
 
-fn timing_line(sampled: &Sampled, write: f64) -> serde_json::Value {
+/// What a program needs to compute the same bits.
+fn units_line(sampled: &Sampled) -> Value {
+    let units = &sampled.units;
+    let quantities: Map<String, Value> =
+        units.quantities.iter().map(|(name, unit)| (name.clone(), json!(unit))).collect();
+    json!({
+        "scalar": units.scalar,
+        "origin": units.origin,
+        "length": units.length,
+        "mass": units.mass,
+        "density": units.density,
+        "quantities": quantities,
+        "cells": units.cells,
+    })
+}
+
+fn timing_line(sampled: &Sampled, write: f64) -> Value {
     json!({
         "particles": sampled.particles,
         "points": sampled.table.points(),

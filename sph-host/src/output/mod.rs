@@ -12,7 +12,7 @@
 //! use sph_host::output::{Column, Precision, Table, Target, write};
 //!
 //! let table = Table {
-//!     coordinates: vec![Column::new("x", vec![0.0, 0.5]), Column::new("y", vec![0.0, 0.0])],
+//!     coordinates: vec![Column::coordinate(0, vec![0.0, 0.5]), Column::coordinate(1, vec![0.0, 0.0])],
 //!     columns: vec![Column::new("density", vec![998.2, f64::NAN])],
 //!     grid: None,
 //!     precision: Precision::F64,
@@ -26,6 +26,7 @@
 
 mod csv;
 mod format;
+mod grid;
 mod interrupt;
 mod npz;
 mod number;
@@ -37,11 +38,12 @@ mod vtk_xml;
 
 pub use csv::write_csv;
 pub use format::{ENDINGS, FORMATS, Format};
+pub use grid::{Grid, GridError};
 pub use interrupt::cleanup_on_interrupt;
 pub(crate) use interrupt::is_unfinished;
 pub use number::shortest;
 pub use png::MOST_IN_PICTURE;
-pub use table::{Column, Grid, GridError, Precision, Table, TableError};
+pub use table::{Column, Precision, Role, Table, TableError};
 pub use target::{Target, WriteError};
 
 use std::borrow::Cow;

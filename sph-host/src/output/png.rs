@@ -1,7 +1,6 @@
 //! A table on a grid as a picture: heat maps of a 2-D grid or of the middle slice of a 3-D one, line plots of a 1-D one.
 
-use super::table::AXES;
-use super::{Column, Grid, Precision, Table, shortest};
+use super::{Column, Grid, Precision, Role, Table, shortest};
 use crate::picture::heat_map::{self, HeatMap, Panel, Plane};
 use crate::picture::plot::{self, Mark, Plot, Series};
 use crate::picture::{Image, Palette, PictureError};
@@ -39,24 +38,17 @@ pub(super) fn draw(table: &Table) -> Result<Image, PictureError> {
 
 /// The columns to show, each with its gradient.
 fn quantities<'a>(table: &'a Table, grid: &Grid) -> Vec<Quantity<'a>> {
-    let axes = &AXES[..grid.counts().len()];
-    let find = |name: String| table.columns.iter().find(|column| column.name == name);
-    let gradient = |column: &Column| {
-        axes.iter().map(|axis| find(format!("{}_d{axis}", column.name))).collect::<Option<Vec<_>>>()
+    let gradient = |place: usize| table.gradient(grid, place);
+    let is_shown = |column: &Column| match column.role {
+        Role::Gradient { of, .. } => gradient(of).is_none(),
+        _ => true,
     };
-    let all: Vec<Quantity> =
-        table.columns.iter().map(|column| Quantity { column, gradient: gradient(column) }).collect();
-    let components: Vec<String> = all
-        .iter()
-        .filter_map(|quantity| quantity.gradient.as_ref())
-        .flatten()
-        .map(|column| column.name.clone())
-        .collect();
+    let shown = table.columns.iter().enumerate().filter(|(_, column)| is_shown(column));
     let mut quantities: Vec<Quantity> =
-        all.into_iter().filter(|quantity| !components.contains(&quantity.column.name)).collect();
+        shown.map(|(place, column)| Quantity { column, gradient: gradient(place) }).collect();
     // What was asked for is the picture; the density comes along in every table.
     if quantities.len() > 1 {
-        quantities.retain(|quantity| quantity.column.name != "density");
+        quantities.retain(|quantity| quantity.column.role != Role::Density);
     }
     quantities
 }
@@ -87,7 +79,7 @@ impl Slice {
             let middle = counts[axis] / 2;
             (
                 middle * stride(axis),
-                format!("slice at {} = {}", AXES[axis], rounded(grid.centre(axis, middle))),
+                format!("slice at {} = {}", grid.axis_name(axis), rounded(grid.centre(axis, middle))),
             )
         });
         let cell = |row: usize, column: usize| offset + row * stride(axes[1]) + column * stride(axes[0]);
@@ -99,7 +91,7 @@ impl Slice {
             counts: [nx, ny],
             lower: axes.map(|axis| grid.lower()[axis]),
             upper: axes.map(|axis| grid.upper()[axis]),
-            axes: axes.map(|axis| AXES[axis].to_owned()),
+            axes: axes.map(|axis| grid.axis_name(axis).to_owned()),
         };
         Self { plane, title, axes, cells: cells.collect() }
     }
@@ -156,7 +148,7 @@ fn rounded(value: f64) -> String {
 fn draw_lines(table: &Table, grid: &Grid, quantities: &[Quantity]) -> Result<Image, PictureError> {
     let line = |title: String, column: &Column| Plot {
         title,
-        x_title: AXES[0].to_owned(),
+        x_title: grid.axis_name(0).to_owned(),
         y_title: column.name.clone(),
         series: vec![Series {
             name: String::new(),

@@ -1,8 +1,10 @@
-//! What is written: named columns of numbers, and the grid they may lie on.
+//! What is written: named columns of numbers, and what each holds.
 
 use std::collections::BTreeSet;
 
 use thiserror::Error;
+
+use super::Grid;
 
 /// How many bits the values of a table carry.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -13,147 +15,58 @@ pub enum Precision {
     F64,
 }
 
+/// What a column holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Role {
+    /// Coordinates along an axis: 0 is x.
+    Coordinate(usize),
+    /// Densities.
+    Density,
+    /// The field of this number among those that were evaluated together; 0 for a column that stands for itself.
+    Field(usize),
+    /// The derivative of another column.
+    Gradient {
+        /// The place of that column in [`Table::columns`].
+        of: usize,
+        /// The axis along which it is derived: 0 is x.
+        axis: usize,
+    },
+}
+
 /// A named column of numbers. NaN stands for "no value": an empty cell in CSV, NaN in binary formats, grey in a picture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Column {
     /// The name, e.g. `density` or `velocity_x_dy`.
     pub name: String,
+    /// What it holds: pictures go by this, never by the name.
+    pub role: Role,
     /// One value a point.
     pub values: Vec<f64>,
 }
 
 impl Column {
-    /// A column from its name and values.
+    /// A column of a field from its name and values.
     pub fn new(name: impl Into<String>, values: Vec<f64>) -> Self {
-        Self { name: name.into(), values }
+        Self { name: name.into(), role: Role::Field(0), values }
     }
-}
 
-/// A regular grid of 1 to 3 axes over a box; its points are the centres of the cells, x runs fastest.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Grid {
-    counts: Vec<usize>,
-    lower: Vec<f64>,
-    upper: Vec<f64>,
-}
+    /// The coordinates along one of the axes x, y, z.
+    ///
+    /// # Panics
+    /// Where there is no such axis.
+    pub fn coordinate(axis: usize, values: Vec<f64>) -> Self {
+        Self { name: AXES[axis].to_owned(), role: Role::Coordinate(axis), values }
+    }
 
-/// Why a grid cannot be: the axis (0 is x) and what is wrong with it.
-#[derive(Clone, Debug, PartialEq, Error)]
-pub enum GridError {
-    /// Not 1 to 3 axes, or the lists differ in length.
-    #[error(
-        "a grid has 1 to 3 axes with a count, a lower and an upper bound each, got {counts}, {lower} and {upper}"
-    )]
-    Axes {
-        /// How many counts were given.
-        counts: usize,
-        /// How many lower bounds were given.
-        lower: usize,
-        /// How many upper bounds were given.
-        upper: usize,
-    },
-    /// A count of zero.
-    #[error("a grid needs at least one cell along {}", AXES[*.axis])]
-    NoCells {
-        /// The axis.
-        axis: usize,
-    },
-    /// Bounds that are not finite or not in order; equal bounds are taken for a single cell only.
-    #[error("a grid's bounds along {} must be finite with lower < upper, got {lower} and {upper}", AXES[*.axis])]
-    Bounds {
-        /// The axis.
-        axis: usize,
-        /// The lower bound.
-        lower: f64,
-        /// The upper bound.
-        upper: f64,
-    },
-    /// More cells than can be counted.
-    #[error("a grid of {counts:?} has more cells than can be counted")]
-    TooMany {
-        /// The counts.
-        counts: Vec<usize>,
-    },
+    /// The same column in another role.
+    #[must_use]
+    pub fn in_role(self, role: Role) -> Self {
+        Self { role, ..self }
+    }
 }
 
 /// Names of the axes.
 pub(super) const AXES: [&str; 3] = ["x", "y", "z"];
-
-impl Grid {
-    /// A grid of `counts` cells over the box from `lower` to `upper`.
-    ///
-    /// # Errors
-    ///
-    /// [`GridError`] names the axis at fault.
-    pub fn new(counts: &[usize], lower: &[f64], upper: &[f64]) -> Result<Self, GridError> {
-        if !(1..=3).contains(&counts.len()) || lower.len() != counts.len() || upper.len() != counts.len() {
-            return Err(GridError::Axes { counts: counts.len(), lower: lower.len(), upper: upper.len() });
-        }
-        for (axis, &count) in counts.iter().enumerate() {
-            let (low, high) = (lower[axis], upper[axis]);
-            if count == 0 {
-                return Err(GridError::NoCells { axis });
-            }
-            if !(high - low).is_finite() || low > high || (low == high && count > 1) {
-                return Err(GridError::Bounds { axis, lower: low, upper: high });
-            }
-        }
-        if counts.iter().try_fold(1_usize, |product, &count| product.checked_mul(count)).is_none() {
-            return Err(GridError::TooMany { counts: counts.to_vec() });
-        }
-        Ok(Self { counts: counts.to_vec(), lower: lower.to_vec(), upper: upper.to_vec() })
-    }
-
-    /// Cells along each axis.
-    #[must_use]
-    pub fn counts(&self) -> &[usize] {
-        &self.counts
-    }
-
-    /// The lower corner of the box.
-    #[must_use]
-    pub fn lower(&self) -> &[f64] {
-        &self.lower
-    }
-
-    /// The upper corner of the box.
-    #[must_use]
-    pub fn upper(&self) -> &[f64] {
-        &self.upper
-    }
-
-    /// How many cells there are.
-    #[must_use]
-    pub fn cells(&self) -> usize {
-        self.counts.iter().product()
-    }
-
-    /// The size of a cell along an axis.
-    #[must_use]
-    pub fn spacing(&self, axis: usize) -> f64 {
-        (self.upper[axis] - self.lower[axis]) / self.counts[axis] as f64
-    }
-
-    /// The coordinate along `axis` of the centre of the cells with number `index`: lower + (index + ½) · spacing.
-    #[must_use]
-    pub fn centre(&self, axis: usize, index: usize) -> f64 {
-        self.lower[axis] + (index as f64 + 0.5) * self.spacing(axis)
-    }
-
-    /// The coordinates of all cell centres, named x, y, z, in the order of the cells.
-    #[must_use]
-    pub fn coordinates(&self) -> Vec<Column> {
-        let mut stride = 1;
-        let mut columns = Vec::with_capacity(self.counts.len());
-        for (axis, &count) in self.counts.iter().enumerate() {
-            let centres: Vec<f64> = (0..count).map(|index| self.centre(axis, index)).collect();
-            let values = (0..self.cells()).map(|cell| centres[cell / stride % count]).collect();
-            columns.push(Column::new(AXES[axis], values));
-            stride *= count;
-        }
-        columns
-    }
-}
 
 /// Points and what was found there.
 #[derive(Clone, Debug, PartialEq)]
@@ -207,11 +120,20 @@ impl Table {
     pub fn positions(&self) -> impl Iterator<Item = [f64; 3]> {
         (0..self.points()).map(|point| {
             let mut position = [0.0; 3];
-            for (axis, column) in self.coordinates.iter().take(3).enumerate() {
+            for (place, column) in self.coordinates.iter().take(3).enumerate() {
+                let axis = if let Role::Coordinate(axis) = column.role { axis.min(2) } else { place };
                 position[axis] = column.values[point];
             }
             position
         })
+    }
+
+    /// The gradient of the column at a place among `columns`: its derivatives along the grid's axes, if all are there.
+    #[must_use]
+    pub fn gradient(&self, grid: &Grid, of: usize) -> Option<Vec<&Column>> {
+        let find =
+            |&axis: &usize| self.columns.iter().find(|column| column.role == Role::Gradient { of, axis });
+        grid.axes().iter().map(find).collect()
     }
 
     /// Whether columns have different names and as many values as there are points.
@@ -225,7 +147,7 @@ impl Table {
         }
         let expected = self.grid.as_ref().map_or(self.points(), Grid::cells);
         let mut names = BTreeSet::new();
-        for Column { name, values } in self.all_columns() {
+        for Column { name, values, .. } in self.all_columns() {
             if values.len() != expected {
                 return Err(TableError::Length { name: name.clone(), length: values.len(), expected });
             }

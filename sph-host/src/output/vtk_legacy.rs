@@ -91,10 +91,11 @@ impl ImageGeometry {
     pub(super) fn of(grid: &Grid) -> Self {
         let mut image = Self { counts: [1; 3], origin: [0.0; 3], spacing: [1.0; 3] };
         for (axis, &count) in grid.counts().iter().enumerate() {
-            image.counts[axis] = count;
-            image.origin[axis] = grid.centre(axis, 0);
+            let place = grid.axes()[axis];
+            image.counts[place] = count;
+            image.origin[place] = grid.centre(axis, 0);
             if grid.spacing(axis) > 0.0 {
-                image.spacing[axis] = grid.spacing(axis);
+                image.spacing[place] = grid.spacing(axis);
             }
         }
         image

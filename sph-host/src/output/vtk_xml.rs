@@ -62,7 +62,7 @@ fn begin(writer: &mut impl Write, kind: &str, caption: &str) -> io::Result<()> {
 
 fn write_point_data(table: &Table, writer: &mut impl Write) -> io::Result<()> {
     writeln!(writer, "<PointData>")?;
-    for Column { name, values } in &table.columns {
+    for Column { name, values, .. } in &table.columns {
         let name = attribute(name);
         match table.precision {
             Precision::F64 => {

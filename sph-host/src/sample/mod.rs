@@ -1,29 +1,76 @@
-//! `fluisim sample`: fields of a particle set at points.
+//! Fields of a particle set at points.
 //!
-//! [`Request`] says what is asked for, in the words of the command line. [`run`] goes the whole way: read and check the
-//! particles (`load`), make the points (`points`), evaluate sph-core's sums there in the scalar that was asked for
-//! (`evaluate`), and hand back a [`Table`] with what there is to warn of.
+//! A [`Request`] is met in steps, each a module with one entry: `read` takes tables from files, `check` makes particles and
+//! points of them, `plan` chooses units and columns, `evaluate` sums, and what comes of it is a [`Table`] to be written.
+//!
+//! ```
+//! use sph_host::kernel_choice::KernelName;
+//! use sph_host::sample::{self, Estimate, ParticleSource, Request, SamplePoints};
+//! use sph_host::scalar_choice::ScalarName;
+//!
+//! let request = Request {
+//!     particles: ParticleSource::Demo("vortex".into(), Some(400)),
+//!     at: SamplePoints::Grid { counts: vec![8, 8], bounds: None },
+//!     kernel: KernelName::CubicSpline,
+//!     dim: None,
+//!     quantities: vec!["pressure".into()],
+//!     gradient: false,
+//!     support: None,
+//!     estimate: Estimate::Shepard,
+//!     mass: None,
+//!     recompute_density: false,
+//!     scalar: ScalarName::F64,
+//!     threads: None,
+//!     chunk: None,
+//!     exact: false,
+//! };
+//! let sampled = sample::run(&request, &())?;
+//! assert_eq!((sampled.table.points(), sampled.particles), (64, 400));
+//! assert_eq!(sampled.table.columns[1].name, "pressure");
+//! # Ok::<(), sample::SampleError>(())
+//! ```
+//!
+//! # What exact sums promise
+//!
+//! With `exact`, sums have the bits of a program, on a microcontroller say, that links sph-core and is given the same numbers: for
+//! each coordinate (x − origin) / length, for the support radius h / length, for masses m / mass, for densities ρ / density and
+//! for each quantity A / unit, all divided in f64 and then rounded to the scalar. [`Sampled::units`] has these [`Units`]. The search is
+//! a [`CellGrid`](sph_core::CellGrid) of [`CellLayout::bounded`](sph_core::CellLayout::bounded): [`Units::cells`] over the box of
+//! the particles in these units, an axis without extent being h long. What is found, multiplied by the unit of its column, is what the result
+//! holds: density, quantity, and for gradients those over length. Pieces of a file give the bits of the whole.
 
+mod check;
+mod error;
+mod estimate;
 mod evaluate;
-mod evaluate_fast;
-mod load;
+mod found;
+mod memory;
 mod outline;
+mod particles;
+mod plan;
+mod planes;
 mod points;
+mod read;
 mod request;
-mod scene;
+mod significant;
 mod slabs;
+mod span;
 mod stencil;
+mod table;
 mod units;
 
-pub use load::{Particles, Support};
-pub use request::{Estimate, ParticleSource, Request, SamplePoints, SupportFrom};
+pub use error::{SampleError, Warning};
+pub use estimate::Estimate;
+pub use request::{ParticleSource, Request, SamplePoints, SupportFrom};
+pub(crate) use significant::Significant;
+pub use units::Units;
 
 use std::time::Instant;
 
-use crate::failure::Failure;
-use crate::output::{Precision, Table};
+use crate::output::Table;
 use crate::progress::Progress;
-use crate::scalar_choice::{ScalarName, with_scalar};
+use evaluate::{Counts, Evaluated};
+use plan::Plan;
 
 /// Seconds that each part took.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -36,7 +83,7 @@ pub struct Timing {
     pub evaluate: f64,
 }
 
-/// What a run has to show.
+/// What a request comes to.
 #[derive(Clone, Debug)]
 pub struct Sampled {
     /// The points and the fields there.
@@ -45,8 +92,10 @@ pub struct Sampled {
     pub particles: usize,
     /// How many threads worked.
     pub threads: usize,
-    /// What a person should know: one sentence each.
-    pub warnings: Vec<String>,
+    /// The units that the sums were made in.
+    pub units: Units,
+    /// What a person should know.
+    pub warnings: Vec<Warning>,
     /// Where the time went.
     pub timing: Timing,
 }
@@ -54,103 +103,51 @@ pub struct Sampled {
 /// More threads than this help nobody and take long to start.
 const MOST_THREADS: usize = 256;
 
-/// Does what a request asks for.
+/// Evaluates a request.
 ///
 /// # Errors
-/// [`Failure`] with one clear message.
-pub fn run(request: &Request, progress: &dyn Progress) -> Result<Sampled, Failure> {
-    points::refuse_oversize(request)?;
+/// [`SampleError`] says what is wrong with files or data, or what they do not have that was asked for.
+pub fn run(request: &Request, progress: &dyn Progress) -> Result<Sampled, SampleError> {
+    memory::refuse_oversize(request)?;
     let start = Instant::now();
-    let mut slabs = slabs(request)?;
-    let particles = match &slabs {
-        Some(slabs) => slabs.corners()?,
-        None => load::particles(request)?,
-    };
-    let count = slabs.as_ref().map_or(particles.len(), slabs::Slabs::count);
-    let points = points::points(request, &particles)?;
+    let tables = read::read(request)?;
+    let mut checked = check::check(tables, request)?;
+    let points = checked.points;
+    let plan = Plan::new(request, checked.span, checked.axes, &points)?;
     let read = start.elapsed().as_secs_f64();
 
     progress.begin(points.len() as u64, 0);
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(request.threads.map_or(0, |threads| threads.min(MOST_THREADS)))
         .build()
-        .map_err(|error| Failure::input(format!("cannot start the threads: {error}")))?;
-    let done = pool.install(|| match &mut slabs {
-        Some(slabs) => slabs.evaluate(request, &points, progress),
-        None => evaluate(request, &particles, &points, progress),
-    })?;
+        .map_err(|error| SampleError::Threads(error.to_string()))?;
+    let done = pool.install(|| evaluate::evaluate(&plan, &mut checked.particles, &points, progress))?;
     progress.end();
 
-    let precision = if request.scalar == ScalarName::F32 { Precision::F32 } else { Precision::F64 };
-    let caption = caption(request, &particles, count);
-    let warnings = warnings(&done.counts, points.len());
+    let timing = Timing { read, search: done.search_seconds, evaluate: done.evaluate_seconds };
+    Ok(sampled(plan, points, done, timing, pool.current_num_threads()))
+}
+
+/// The result with its warnings.
+fn sampled(
+    plan: Plan<'_>,
+    points: points::Points,
+    done: Evaluated,
+    timing: Timing,
+    threads: usize,
+) -> Sampled {
+    let mut warnings = plan.warnings(points.len());
+    let points_in_all = points.len();
+    let Counts { out_of_reach, ill_conditioned, overflowed } = done.counts;
+    let counted = [
+        (out_of_reach, Warning::OutOfReach { count: out_of_reach, points: points_in_all }),
+        (ill_conditioned, Warning::IllConditioned { count: ill_conditioned, points: points_in_all }),
+        (overflowed, Warning::Overflowed { count: overflowed }),
+    ];
+    warnings.extend(counted.into_iter().filter(|(count, _)| *count > 0).map(|(_, warning)| warning));
+    let (caption, precision) = (plan.caption(), plan.precision);
+    let (particles, units) = (plan.span.count, plan.units.clone());
     let (coordinates, grid) = points.into_table();
-    Ok(Sampled {
-        table: Table { coordinates, columns: done.columns, grid, precision, caption },
-        particles: count,
-        threads: pool.current_num_threads(),
-        warnings,
-        timing: Timing { read, search: done.search_seconds, evaluate: done.evaluate_seconds },
-    })
-}
-
-/// The sums in the scalar and the dimensions that are asked for, on the fast path where that has them.
-fn evaluate(
-    request: &Request,
-    particles: &Particles,
-    points: &points::Points,
-    progress: &dyn Progress,
-) -> Result<evaluate::Evaluated, Failure> {
-    macro_rules! in_dimensions {
-        ($($function:ident)::+, $T:ty) => {
-            match particles.dim {
-                1 => $($function)::+::<$T, 1>(request, particles, points, progress),
-                2 => $($function)::+::<$T, 2>(request, particles, points, progress),
-                _ => $($function)::+::<$T, 3>(request, particles, points, progress),
-            }
-        };
-    }
-    let is_fast = !request.exact && request.estimate != Estimate::Corrected;
-    match (is_fast, request.scalar) {
-        (true, ScalarName::F32) => in_dimensions!(evaluate_fast::evaluate, f32),
-        (true, ScalarName::F64) => in_dimensions!(evaluate_fast::evaluate, f64),
-        _ => with_scalar!(request.scalar, T => in_dimensions!(evaluate::evaluate, T)),
-    }
-}
-
-/// The file's particles in slabs, where it is to be read in pieces.
-fn slabs(request: &Request) -> Result<Option<slabs::Slabs>, Failure> {
-    match (&request.particles, request.chunk) {
-        (ParticleSource::File(path), Some(most)) => slabs::Slabs::read(path, most, request).map(Some),
-        _ => Ok(None),
-    }
-}
-
-fn caption(request: &Request, particles: &Particles, count: usize) -> String {
-    let support = match &particles.support {
-        Support::Uniform(h) => format!("h = {:.4}", load::Significant(*h)),
-        Support::PerParticle(_) => String::from("h of each particle"),
-    };
-    format!("{}: {count} particles, {}, {support}", particles.source, request.kernel.name())
-}
-
-fn warnings(counts: &evaluate::Counts, points: usize) -> Vec<String> {
-    let mut warnings = Vec::new();
-    if points == 0 {
-        warnings.push(String::from("there are no points: the result has a header alone"));
-    }
-    if counts.out_of_reach > 0 {
-        warnings.push(format!("{} of {points} points have no particle in reach", counts.out_of_reach));
-    }
-    if counts.ill_conditioned > 0 {
-        warnings.push(format!(
-            "{} of {points} points have too few particles in reach, or all of them in a plane, for the corrected estimate",
-            counts.ill_conditioned
-        ));
-    }
-    if counts.overflowed > 0 {
-        warnings
-            .push(format!("{} values are outside the range of the scalar and left out", counts.overflowed));
-    }
-    warnings
+    let table = Table { coordinates, columns: plan.into_columns(done.columns), grid, precision, caption };
+    Sampled { table, particles, threads, units, warnings, timing }
 }

@@ -1,115 +1,121 @@
 //! The points at which fields are wanted.
 
-use sysinfo::System;
-
-use super::load::{self, Particles};
-use super::request::{ParticleSource, Request, SamplePoints};
-use crate::failure::Failure;
-use crate::io;
+use super::error::{AXES, SampleError};
+use super::particles::Particles;
+use super::planes;
+use super::request::{Request, SamplePoints};
+use super::span::Span;
+use crate::io::PointTable;
 use crate::output::{Column, Grid};
 
 /// Points as coordinates axis by axis, and the grid they come from, if they do.
 #[derive(Clone, Debug)]
 pub(super) struct Points {
-    coordinates: Vec<Vec<f64>>,
+    /// The axis in space (0 is x) and the coordinates along it.
+    coordinates: Vec<(usize, Vec<f64>)>,
     grid: Option<Grid>,
+    /// Whether they are the particles, in their order.
+    pub(super) are_particles: bool,
 }
 
 impl Points {
     /// How many there are.
     pub(super) fn len(&self) -> usize {
-        self.coordinates[0].len()
+        self.coordinates[0].1.len()
     }
 
     /// Some of them, by number.
     pub(super) fn some(&self, numbers: &[usize]) -> Self {
-        let some = |axis: &Vec<f64>| numbers.iter().map(|&number| axis[number]).collect();
-        Self { coordinates: self.coordinates.iter().map(some).collect(), grid: None }
+        let some = |(axis, along): &(usize, Vec<f64>)| {
+            (*axis, numbers.iter().map(|&number| along[number]).collect())
+        };
+        Self { coordinates: self.coordinates.iter().map(some).collect(), grid: None, are_particles: false }
     }
 
-    /// The coordinates along one axis.
+    /// The coordinates along an axis in space; none where there are no such coordinates.
     pub(super) fn along(&self, axis: usize) -> &[f64] {
-        &self.coordinates[axis]
+        self.coordinates.iter().find(|(known, _)| *known == axis).map_or(&[], |(_, along)| along)
+    }
+
+    /// The axes in space that the points have coordinates along.
+    pub(super) fn axes(&self) -> impl Iterator<Item = usize> {
+        self.coordinates.iter().map(|(axis, _)| *axis)
     }
 
     /// The coordinate columns of the result.
     pub(super) fn into_table(self) -> (Vec<Column>, Option<Grid>) {
-        let columns = ["x", "y", "z"].into_iter().zip(self.coordinates);
-        (columns.map(|(name, values)| Column::new(name, values)).collect(), self.grid)
+        let columns = self.coordinates.into_iter().map(|(axis, along)| Column::coordinate(axis, along));
+        (columns.collect(), self.grid)
     }
 }
 
-/// Makes or reads the points of a request.
-pub(super) fn points(request: &Request, particles: &Particles) -> Result<Points, Failure> {
-    match &request.at {
-        SamplePoints::AtParticles => Ok(Points { coordinates: particles.coordinates.clone(), grid: None }),
-        SamplePoints::At(path) => {
-            let table = io::read(path)?;
-            table.require_finite_coordinates()?;
-            let dim =
-                if table.is_empty() { table.dimensions() } else { load::dimensions(&table, request.dim)? };
-            if dim != particles.dim && !table.is_empty() {
-                let (source, theirs, own) = (&table.source, dim, particles.dim);
-                return Err(Failure::input(format!(
-                    "{source}: its points have {theirs} coordinates, the particles of {} have {own}",
-                    particles.source
-                )));
-            }
-            Ok(Points { coordinates: table.coordinates, grid: None })
+/// Makes points, or checks the table that they were read into.
+pub(super) fn points(
+    request: &Request,
+    table: Option<PointTable>,
+    particles: Option<&Particles>,
+    span: &Span,
+    axes: &[usize],
+) -> Result<Points, SampleError> {
+    let of_columns = |columns: Vec<Vec<f64>>, are_particles| {
+        let coordinates = columns.into_iter().enumerate().collect();
+        Points { coordinates, grid: None, are_particles }
+    };
+    match (&request.at, table, particles) {
+        (SamplePoints::Grid { counts, bounds }, ..) => grid(counts, bounds.as_deref(), span, axes),
+        (_, Some(table), _) => {
+            check_axes(&table, request.dim, span, axes)?;
+            Ok(of_columns(table.coordinates, false))
         }
-        SamplePoints::Grid { counts, bounds } => grid(counts, bounds.as_deref(), particles),
+        (_, None, Some(particles)) => Ok(of_columns(particles.coordinates.clone(), true)),
+        (_, None, None) => Err(SampleError::PiecesAsPoints { file: span.file.clone() }),
     }
 }
 
-fn grid(counts: &[usize], bounds: Option<&[f64]>, particles: &Particles) -> Result<Points, Failure> {
-    let dim = particles.dim;
+/// That a table of points has the axes that sums run over, and is flat along others.
+fn check_axes(
+    table: &PointTable,
+    dim: Option<usize>,
+    span: &Span,
+    axes: &[usize],
+) -> Result<(), SampleError> {
+    table.require_finite_coordinates()?;
+    if table.is_empty() {
+        return Ok(());
+    }
+    let own: Vec<usize> = (0..table.dimensions()).collect();
+    let has_all = axes.iter().all(|axis| own.contains(axis));
+    if !has_all || (own.len() > axes.len() && dim.is_none()) {
+        let names = |axes: &[usize]| axes.iter().map(|&axis| AXES[axis]).collect::<Vec<_>>().join(", ");
+        return Err(SampleError::PointCoordinates {
+            file: table.source.clone(),
+            own: format!("{} ({})", names(&own), own.len()),
+            particles: span.file.clone(),
+            theirs: format!("{} ({})", names(axes), axes.len()),
+        });
+    }
+    planes::flat_beyond(table, axes)
+}
+
+fn grid(
+    counts: &[usize],
+    bounds: Option<&[f64]>,
+    span: &Span,
+    axes: &[usize],
+) -> Result<Points, SampleError> {
+    let (dim, file) = (axes.len(), || span.file.clone());
     if counts.len() != dim {
-        return Err(Failure::input(format!(
-            "{}: the particles have {dim} dimensions, --grid {} has {}",
-            particles.source,
-            counts.iter().map(usize::to_string).collect::<Vec<_>>().join(","),
-            counts.len()
-        )));
+        return Err(SampleError::GridDimensions { file: file(), dim, counts: counts.to_vec() });
     }
     let (lower, upper): (Vec<f64>, Vec<f64>) = match bounds {
         Some(bounds) => (bounds[..dim].to_vec(), bounds[dim..].to_vec()),
-        None => particles.coordinates.iter().take(dim).map(|axis| load::bounds(axis)).unzip(),
+        None => axes.iter().map(|&axis| span.coordinates[axis]).unzip(),
     };
-    let grid = Grid::new(counts, &lower, &upper).map_err(|error| {
-        let hint = if bounds.is_none() { ": give the box with --bounds" } else { "" };
-        Failure::input(format!("{}: {error}{hint}", particles.source))
-    })?;
-    let coordinates = grid.coordinates().into_iter().map(|column| column.values).collect();
-    Ok(Points { coordinates, grid: Some(grid) })
-}
-
-/// Refuses what cannot fit in memory, before anything is read.
-pub(super) fn refuse_oversize(request: &Request) -> Result<(), Failure> {
-    let fields = request.quantities.len().max(1) as f64 + 1.0;
-    let particles = match &request.particles {
-        ParticleSource::Demo(_, Some(particles)) => *particles as f64,
-        _ => 0.0,
-    };
-    let (points, dim): (f64, _) = match &request.at {
-        SamplePoints::Grid { counts, .. } => (counts.iter().map(|&n| n as f64).product(), counts.len()),
-        SamplePoints::AtParticles => (particles, 3),
-        SamplePoints::At(_) => (0.0, 3),
-    };
-    let columns = fields * (1.0 + if request.gradient { dim as f64 } else { 0.0 });
-    // coordinates and columns as f64, the columns once more while they are gathered; a built-in set's particles likewise
-    let bytes = points * 8.0 * (dim as f64 + 2.0 * columns) + particles * 8.0 * 16.0;
-    // Where the system does not say, there is nothing to refuse by.
-    let Ok(mut system) = System::new() else { return Ok(()) };
-    system.refresh_memory();
-    let available = system.available_memory() as f64;
-    if bytes <= available {
-        return Ok(());
-    }
-    let gigabytes = |bytes: f64| format!("{:.3} GB", bytes / 1e9);
-    Err(Failure::input(format!(
-        "the result has {points} points{} and needs {}, but {} of memory are free",
-        if particles > 0.0 { format!(" from {particles} particles") } else { String::new() },
-        gigabytes(bytes),
-        gigabytes(available)
-    )))
+    let is_particles_box = bounds.is_none();
+    let grid = Grid::new(counts, &lower, &upper)
+        .map_err(|error| SampleError::Grid { file: file(), error, is_particles_box })?
+        .along(axes);
+    let columns = grid.coordinates().into_iter().map(|column| column.values);
+    let coordinates = axes.iter().copied().zip(columns).collect();
+    Ok(Points { coordinates, grid: Some(grid), are_particles: false })
 }

@@ -1,9 +1,8 @@
-//! What `fluisim sample` can be asked for.
+//! What can be asked for.
 
 use std::path::PathBuf;
 
-use clap::ValueEnum;
-
+use super::estimate::Estimate;
 use crate::kernel_choice::KernelName;
 use crate::scalar_choice::ScalarName;
 
@@ -37,7 +36,7 @@ pub enum SamplePoints {
 pub enum SupportFrom {
     /// h for all.
     Radius(f64),
-    /// The smoothing length for all: h times the kernel's support ratio.
+    /// The smoothing length for all: the support radius divided by the kernel's support ratio.
     SmoothingLength(f64),
     /// A column with h of each particle.
     RadiusColumn(String),
@@ -45,19 +44,7 @@ pub enum SupportFrom {
     SmoothingLengthColumn(String),
 }
 
-/// Which sum stands for a field.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-pub enum Estimate {
-    /// Σ m/ρ A W, the paper's interpolation
-    #[default]
-    Plain,
-    /// divided by Σ m/ρ W: exact for constants
-    Shepard,
-    /// linear moving least squares: exact for linear fields
-    Corrected,
-}
-
-/// Everything that `fluisim sample` is asked for.
+/// Everything that can be asked for at once.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Request {
     /// The particles.
@@ -66,7 +53,7 @@ pub struct Request {
     pub at: SamplePoints,
     /// The kernel.
     pub kernel: KernelName,
-    /// 1 to 3, where the particles' own number of coordinates is not meant.
+    /// 1 to 3, where the particles' own number of coordinates is not meant: axes along which all are equal are dropped.
     pub dim: Option<usize>,
     /// The fields by name; none: every numeric array that is not special.
     pub quantities: Vec<String>,

@@ -10,92 +10,79 @@ use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::ops::Range;
 use std::path::Path;
 
-use super::evaluate::{Evaluated, columns, names};
-use super::load::{self, Particles, Support, Values};
+use super::error::SampleError;
 use super::outline::Outline;
+use super::particles::{Particles, Support, Values};
+use super::planes;
 use super::points::Points;
 use super::request::Request;
-use crate::failure::Failure;
+use super::span::Span;
+use super::table;
 use crate::io::Pieces;
-use crate::output::Column;
-use crate::progress::Progress;
 
-/// Margin over what sums can depend on, for the rounding of distances.
-const MARGIN: f64 = 1.001;
+/// Margin over what sums can depend on, for the rounding of distances in the coarsest scalar.
+const MARGIN: f64 = 1.01;
 
 /// Particles in a temporary file, slab by slab.
 pub(super) struct Slabs {
-    outline: Outline,
+    /// The axis in space that slabs lie across.
     axis: usize,
     /// Where one slab ends and the next begins, ascending.
     cuts: Vec<f64>,
+    /// How far from a slab particles matter to it.
+    reach: f64,
     spool: File,
     /// Of each slab, where its rows are in the temporary file: offset and bytes.
     segments: Vec<Vec<(u64, usize)>>,
 }
 
 impl Slabs {
-    /// Reads the particles of a file, `most` at a time, into slabs that own about `most` particles each.
-    pub(super) fn read(path: &Path, most: usize, request: &Request) -> Result<Self, Failure> {
+    /// Reads the particles of a file, `most` at a time, into slabs that own about `most` particles each; what all of them span,
+    /// and the axes that sums run over.
+    pub(super) fn read(
+        path: &Path,
+        most: usize,
+        request: &Request,
+    ) -> Result<(Self, Span, Vec<usize>), SampleError> {
         let mut outline = Outline::default();
         for piece in Pieces::open(path, most)? {
-            outline.add(&load::checked(piece?, None, request)?)?;
+            let piece = piece?;
+            table::check_coordinates(&piece)?;
+            outline.add(&table::particles(piece, None, request)?)?;
         }
-        let source = path.display();
-        outline.check().map_err(|problem| Failure::input(format!("{source}: {problem}")))?;
-        let (axis, cuts) = outline.cuts(outline.count().div_ceil(most.max(1)));
+        let empty = || SampleError::NoParticles { file: path.display().to_string() };
+        let span = outline.span()?.ok_or_else(empty)?;
+        let axes = planes::axes(&span.file, &span.coordinates, request.dim)?;
+        let extent = |axis: usize| span.coordinates[axis].1 - span.coordinates[axis].0;
+        let longest = axes.iter().copied().max_by(|&a, &b| extent(a).total_cmp(&extent(b)));
+        let axis = longest.unwrap_or(0);
+        let cuts = outline.cuts(axis, span.count.div_ceil(most.max(1)));
+        let (lower, upper) = span.coordinates[axis];
+        // positions are rounded to the scalar, which has 23 bits for what all span at least
+        let rounding = (upper - lower) * 2_f64.powi(-20);
+        let reach = 2.0 * (MARGIN * span.supports.1 + rounding);
         let spool = tempfile::tempfile().map_err(no_spool)?;
         let segments = vec![Vec::new(); cuts.len() + 1];
-        let mut slabs = Self { outline, axis, cuts, spool, segments };
+        let mut slabs = Self { axis, cuts, reach, spool, segments };
         for piece in Pieces::open(path, most)? {
-            slabs.write(&load::checked(piece?, None, request)?).map_err(no_spool)?;
+            slabs.write(&table::particles(piece?, None, request)?).map_err(no_spool)?;
         }
-        Ok(slabs)
+        Ok((slabs, span, axes))
     }
 
-    /// What all particles are like, with two of them at opposite corners of the box.
-    pub(super) fn corners(&self) -> Result<Particles, Failure> {
-        self.outline.corners().ok_or_else(|| Failure::input("there are no particles"))
-    }
-
-    /// How many particles there are.
-    pub(super) fn count(&self) -> usize {
-        self.outline.count()
-    }
-
-    /// Evaluates a request, slab after slab.
-    pub(super) fn evaluate(
-        &mut self,
-        request: &Request,
-        points: &Points,
-        progress: &dyn Progress,
-    ) -> Result<Evaluated, Failure> {
-        let corners = self.corners()?;
-        let names = names(&corners, request.gradient);
-        let mut done = Evaluated { columns: columns(names, &[]), ..Evaluated::default() };
-        done.columns.iter_mut().for_each(|column| column.values = vec![f64::NAN; points.len()]);
+    /// The numbers of the points in each slab.
+    pub(super) fn points_of_each(&self, points: &Points) -> Vec<Vec<usize>> {
         let mut numbers = vec![Vec::new(); self.segments.len()];
         for (number, &x) in points.along(self.axis).iter().enumerate() {
             numbers[self.cuts.partition_point(|&cut| cut <= x)].push(number);
         }
-        for (slab, numbers) in numbers.iter().enumerate().filter(|(_, numbers)| !numbers.is_empty()) {
-            let particles = self.load(slab, &corners).map_err(no_spool)?;
-            let part = super::evaluate(request, &particles, &points.some(numbers), progress)?;
-            for (Column { values, .. }, part) in done.columns.iter_mut().zip(&part.columns) {
-                numbers.iter().zip(&part.values).for_each(|(&number, &value)| values[number] = value);
-            }
-            done.counts = done.counts + part.counts;
-            done.search_seconds += part.search_seconds;
-            done.evaluate_seconds += part.evaluate_seconds;
-        }
-        Ok(done)
+        numbers
     }
 
     /// The slabs that a particle matters to.
     fn concerned(&self, x: f64) -> Range<usize> {
-        let reach = 2.0 * MARGIN * self.outline.reach();
-        let first = self.cuts.partition_point(|&cut| cut + reach < x);
-        let last = self.cuts.partition_point(|&cut| cut - reach <= x);
+        let first = self.cuts.partition_point(|&cut| cut + self.reach < x);
+        let last = self.cuts.partition_point(|&cut| cut - self.reach <= x);
         first..last + 1
     }
 
@@ -116,8 +103,16 @@ impl Slabs {
         Ok(())
     }
 
-    fn load(&mut self, slab: usize, like: &Particles) -> io::Result<Particles> {
-        let width = in_columns(like).len();
+    /// The particles that matter to a slab, of all that span this.
+    pub(super) fn load(&mut self, slab: usize, span: &Span) -> Result<Particles, SampleError> {
+        let special = usize::from(span.masses.is_some()) + usize::from(span.densities.is_some());
+        let own = usize::from(!span.is_uniform);
+        let width = span.coordinates.len() + special + own + span.fields.len();
+        let columns = self.columns(slab, width).map_err(no_spool)?;
+        Ok(from_columns(columns, span))
+    }
+
+    fn columns(&mut self, slab: usize, width: usize) -> io::Result<Vec<Vec<f64>>> {
         let mut columns = vec![Vec::new(); width];
         for &(offset, bytes) in &self.segments[slab] {
             let mut rows = vec![0; bytes];
@@ -129,12 +124,12 @@ impl Slabs {
                 }
             }
         }
-        Ok(from_columns(columns, like))
+        Ok(columns)
     }
 }
 
-fn no_spool(error: io::Error) -> Failure {
-    Failure::input(format!("a temporary file in {}: {error}", std::env::temp_dir().display()))
+fn no_spool(error: io::Error) -> SampleError {
+    SampleError::Spool { folder: std::env::temp_dir(), error }
 }
 
 /// All numbers of the particles.
@@ -149,22 +144,26 @@ fn in_columns(particles: &Particles) -> Vec<&[f64]> {
     coordinates.chain(special).chain(quantities).map(Vec::as_slice).collect()
 }
 
-/// Particles of the numbers that [`in_columns`] gives of such as `like`.
-fn from_columns(columns: Vec<Vec<f64>>, like: &Particles) -> Particles {
+/// Particles of the numbers that [`in_columns`] gives of such as span this.
+fn from_columns(columns: Vec<Vec<f64>>, span: &Span) -> Particles {
     let mut columns = columns.into_iter();
     let mut next = || columns.next().unwrap_or_default();
     Particles {
-        source: like.source.clone(),
-        dim: like.dim,
-        coordinates: like.coordinates.iter().map(|_| next()).collect(),
-        masses: like.masses.as_ref().map(|_| next()),
-        densities: like.densities.as_ref().map(|_| next()),
-        support: match &like.support {
-            Support::Uniform(h) => Support::Uniform(*h),
-            Support::PerParticle(_) => Support::PerParticle(next()),
+        file: span.file.clone(),
+        coordinates: span.coordinates.iter().map(|_| next()).collect(),
+        masses: span.masses.map(|_| next()),
+        densities: span.densities.map(|_| next()),
+        support: if span.is_uniform {
+            Support::Uniform(span.supports.0)
+        } else {
+            Support::PerParticle(next())
         },
-        quantities: (like.quantities.iter())
-            .map(|quantity| Values { name: quantity.name.clone(), values: next() })
+        quantities: (span.fields.iter())
+            .map(|field| Values {
+                name: field.name.clone(),
+                quantity: field.quantity.clone(),
+                values: next(),
+            })
             .collect(),
     }
 }

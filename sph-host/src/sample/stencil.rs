@@ -24,17 +24,18 @@ pub(super) struct Stencil<'a, T, const D: usize> {
 }
 
 impl<'a, T: Scalar, const D: usize> Stencil<'a, T, D> {
-    /// Finds the particles in reach of x and evaluates their influence there, and its gradient if that is wanted; `buffer`
-    /// is overwritten.
+    /// Finds the particles in reach of x, at most the largest support radius away, and evaluates their influence there, and its
+    /// gradient if that is wanted; `buffer` is overwritten.
     pub(super) fn gather(
         buffer: &'a mut Vec<Contribution<T, D>>,
         search: &impl Neighbours<T, D>,
         w: impl InfluenceOf<T, D>,
+        reach: T,
         x: &[T; D],
         with_gradient: bool,
     ) -> Self {
         buffer.clear();
-        search.for_each(x, w.reach(), |Neighbour { index: particle, offset, distance_squared }| {
+        search.for_each(x, reach, |Neighbour { index: particle, offset, distance_squared }| {
             let Some(own) = w.of(particle) else { return };
             let support_radius = own.support_radius();
             if distance_squared < support_radius * support_radius {
@@ -52,7 +53,7 @@ impl<'a, T: Scalar, const D: usize> Stencil<'a, T, D> {
                 });
             }
         });
-        Self { contributions: buffer, reach: w.reach() }
+        Self { contributions: buffer, reach }
     }
 
     /// Whether no particle is in reach.

@@ -89,7 +89,7 @@ fn names_are_there_and_there_once() {
 
 #[test]
 fn dimensions_that_do_not_fit_are_refused() {
-    let folder = Folder::with("p.csv", "x,y,z,m\n0,0,1,1\n\n1,0,2,1\n");
+    let folder = Folder::with("p.csv", "x,y,z,m\n0,0,1,1\n\n1,3,2,1\n");
     folder.write("at.csv", "x,y\n0,0\n");
     folder.write("flat.csv", "x,y,m\n0,0,1\n1,1,1\n");
     folder.write("line.csv", "x,y,m\n0,0,1\n1,0,1\n");

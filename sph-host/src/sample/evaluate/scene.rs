@@ -2,11 +2,11 @@
 
 use sph_core::{CellGrid, CellLayout, Scalar, Sources, field};
 
-use super::load::{Particles, Support};
-use super::units::{Units, fitted};
-use crate::failure::Failure;
-use crate::kernel_choice::{AnyInfluence, Influences, KernelName};
+use crate::kernel_choice::{AnyInfluence, Influences};
 use crate::parallel;
+use crate::sample::error::SampleError;
+use crate::sample::particles::{Particles, Support};
+use crate::sample::plan::Plan;
 
 /// Everything that the sums need, particles in the order of their cells.
 ///
@@ -18,6 +18,8 @@ pub(super) struct Scene<T, const D: usize> {
     /// One for all, or one each.
     influences: Vec<AnyInfluence<T, D>>,
     is_uniform: bool,
+    /// The largest h of all particles, whether they are here or in another piece.
+    pub(super) reach: T,
     /// m_j, where there are masses.
     pub(super) masses: Option<Vec<T>>,
     /// V_j; empty where no field is asked for.
@@ -30,47 +32,46 @@ pub(super) struct Scene<T, const D: usize> {
 
 impl<T: Scalar, const D: usize> Scene<T, D> {
     /// Converts and sorts the particles, and sums densities where fields need them.
-    pub(super) fn new(particles: &Particles, kernel: KernelName, units: &Units<D>) -> Result<Self, Failure> {
+    pub(super) fn new(plan: &Plan<'_>, particles: &Particles) -> Result<Self, SampleError> {
+        let file = &particles.file;
         if particles.len() > u32::MAX as usize {
-            return Err(Failure::input(format!("{}: more than 2³² particles", particles.source)));
+            return Err(SampleError::TooMany { file: file.clone() });
         }
-        let source = &particles.source;
-        let failed = |error: sph_core::Error| Failure::input(format!("{source}: {error}"));
-        let read: Vec<[T; D]> = positions(particles, units)?;
-        let layout = layout(&read, reach(particles, units)).map_err(|error| {
-            let (name, h) = (T::NAME, units.length);
-            Failure::input(format!(
-                "{source}: what the particles span, in units of {h}, does not fit {name}: {error}"
-            ))
+        let failed = |error: sph_core::Error| SampleError::Sums { file: file.clone(), error };
+        let units = &plan.units;
+        let read: Vec<[T; D]> = positions(plan, particles)?;
+        let layout = layout(plan).map_err(|error| SampleError::BoxOutOfRange {
+            file: file.clone(),
+            unit: units.length,
+            scalar: T::NAME,
+            error,
         })?;
         let (mut starts, mut entries) = (vec![0; layout.cells() + 1], vec![0; read.len()]);
         let order =
             CellGrid::build(layout, &read, &mut starts, &mut entries).map_err(failed)?.entries().to_vec();
-        let sorted = |values: &[f64], unit: f64, what: &str| -> Result<Vec<T>, Failure> {
-            order.iter().map(|&j| fitted(values[j as usize] / unit, what, source)).collect()
+        let sorted = |values: &[f64], unit, what: &str| {
+            fitted::<T>(order.iter().map(|&j| &values[j as usize]), unit, what, file)
         };
         let positions: Vec<[T; D]> = order.iter().map(|&j| read[j as usize]).collect();
-        let influence = |h: f64| AnyInfluence::new(kernel, T::from_f64(h / units.length));
+        let influence = |h: f64| AnyInfluence::new(plan.request.kernel, T::from_f64(h / units.length));
         let influences: Result<Vec<_>, _> = match &particles.support {
             Support::Uniform(h) => influence(*h).map(|influence| vec![influence]),
             Support::PerParticle(radii) => order.iter().map(|&j| influence(radii[j as usize])).collect(),
         };
-        let is_uniform = matches!(particles.support, Support::Uniform(_));
-        let masses =
-            particles.masses.as_ref().map(|masses| sorted(masses, units.mass, "mass")).transpose()?;
-        let densities =
-            particles.densities.as_ref().map(|rho| sorted(rho, units.density(), "density")).transpose()?;
+        let masses = particles.masses.as_ref().map(|m| sorted(m, units.mass, "mass")).transpose()?;
+        let densities = particles.densities.as_ref();
+        let densities = densities.map(|rho| sorted(rho, units.density, "density")).transpose()?;
         let mut values = Vec::with_capacity(particles.quantities.len());
-        for (quantity, unit) in particles.quantities.iter().zip(&units.quantities) {
-            values.push(sorted(&quantity.values, *unit, &quantity.name)?);
+        for (quantity, (name, unit)) in particles.quantities.iter().zip(&units.quantities) {
+            values.push(sorted(&quantity.values, *unit, name)?);
         }
         CellGrid::build(layout, &positions, &mut starts, &mut entries).map_err(failed)?;
-        let influences = influences.map_err(failed)?;
         let mut scene = Self {
             layout,
             positions,
-            influences,
-            is_uniform,
+            influences: influences.map_err(failed)?,
+            is_uniform: plan.span.is_uniform,
+            reach: T::from_f64(plan.span.supports.1 / units.length),
             masses,
             volumes: Vec::new(),
             values,
@@ -118,53 +119,58 @@ impl<T: Scalar, const D: usize> Scene<T, D> {
     }
 }
 
-/// The particles' positions in the units of the run.
+/// The particles' positions in the units of the plan.
 pub(super) fn positions<T: Scalar, const D: usize>(
+    plan: &Plan<'_>,
     particles: &Particles,
-    units: &Units<D>,
-) -> Result<Vec<[T; D]>, Failure> {
-    let position = |j: usize| units.position(std::array::from_fn(|axis| particles.coordinates[axis][j]));
+) -> Result<Vec<[T; D]>, SampleError> {
+    let frame = plan.units.frame::<D>();
+    let along: [&[f64]; D] = std::array::from_fn(|axis| &particles.coordinates[plan.axes[axis]][..]);
+    let read = |j: usize| std::array::from_fn(|axis| along[axis][j]);
     let mut positions = vec![[T::ZERO; D]; particles.len()];
-    parallel::fill(&mut positions, position);
-    if let Some(j) = positions.iter().position(|x| x.iter().any(|component| !component.is_finite())) {
-        let x: [f64; D] = std::array::from_fn(|axis| particles.coordinates[axis][j]);
-        let (source, name, h) = (&particles.source, T::NAME, units.length);
-        return Err(Failure::input(format!(
-            "{source}: particle {j} at {x:?}, in units of {h}, does not fit {name}"
-        )));
-    }
-    Ok(positions)
-}
-
-/// The largest support radius in the units of the run.
-fn reach<T: Scalar, const D: usize>(particles: &Particles, units: &Units<D>) -> T {
-    match &particles.support {
-        Support::Uniform(h) => T::from_f64(h / units.length),
-        Support::PerParticle(radii) => T::from_f64(super::load::bounds(radii).1 / units.length),
+    parallel::fill(&mut positions, |j| frame.position(read(j)));
+    match positions.iter().position(|x| x.iter().any(|component| !component.is_finite())) {
+        None => Ok(positions),
+        Some(particle) => Err(SampleError::PositionOutOfRange {
+            file: particles.file.clone(),
+            particle,
+            position: read(particle).to_vec(),
+            unit: plan.units.length,
+            origin: plan.units.origin.clone(),
+            scalar: T::NAME,
+        }),
     }
 }
 
-/// SortedCells about as wide as the reach over the particles' box, at most some four a particle.
-fn layout<T: Scalar, const D: usize>(
-    positions: &[[T; D]],
-    reach: T,
-) -> Result<CellLayout<T, D>, sph_core::Error> {
-    let mut lower = positions[0];
-    let mut upper = positions[0];
-    for x in positions {
-        for axis in 0..D {
-            lower[axis] = lower[axis].min(x[axis]);
-            upper[axis] = upper[axis].max(x[axis]);
+/// Numbers in units of `unit`, as T.
+pub(super) fn fitted<'v, T: Scalar>(
+    values: impl Iterator<Item = &'v f64>,
+    unit: f64,
+    what: &str,
+    file: &str,
+) -> Result<Vec<T>, SampleError> {
+    let fitted = |&value: &f64| {
+        let fitted = T::from_f64(value / unit);
+        if fitted.is_finite() {
+            return Ok(fitted);
         }
-    }
-    let most = (4.0 * positions.len() as f64).powf(1.0 / D as f64).ceil().max(1.0);
-    let mut counts = [1_u32; D];
+        let (file, what, scalar) = (file.to_owned(), what.to_owned(), T::NAME);
+        Err(SampleError::OutOfRange { file, what, value, unit, scalar })
+    };
+    values.map(fitted).collect()
+}
+
+/// The plan's cells over the box of all particles. They do not depend on which of these are there, so that sums over a part
+/// of them go in the order of sums over all.
+fn layout<T: Scalar, const D: usize>(plan: &Plan<'_>) -> Result<CellLayout<T, D>, sph_core::Error> {
+    let frame = plan.units.frame::<D>();
+    let bounds: [(f64, f64); D] = std::array::from_fn(|axis| plan.span.coordinates[plan.axes[axis]]);
+    let lower: [T; D] = frame.position(bounds.map(|(lower, _)| lower));
+    let mut upper: [T; D] = frame.position(bounds.map(|(_, upper)| upper));
     for axis in 0..D {
-        let cells = ((upper[axis] - lower[axis]).to_f64() / reach.to_f64()).floor();
-        counts[axis] = cells.clamp(1.0, most.min(1e6)) as u32;
         if upper[axis] <= lower[axis] {
-            upper[axis] = lower[axis] + reach;
+            upper[axis] = lower[axis] + T::from_f64(plan.span.supports.1 / plan.units.length);
         }
     }
-    CellLayout::bounded(&lower, &upper, counts)
+    CellLayout::bounded(&lower, &upper, std::array::from_fn(|axis| plan.units.cells[axis]))
 }

@@ -1,0 +1,297 @@
+//! Why a request cannot be met: data, without the words of a command line.
+
+use std::io;
+use std::path::PathBuf;
+
+use thiserror::Error;
+
+use super::request::SamplePoints;
+use crate::io::ReadError;
+use crate::kernel_choice::KernelName;
+use crate::output::GridError;
+
+/// The names of the axes.
+pub(super) const AXES: [&str; 3] = ["x", "y", "z"];
+
+/// Why fields cannot be sampled. `file` is the file's name as given, or that of a built-in set.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum SampleError {
+    /// A file cannot be read, or holds something else than expected.
+    #[error(transparent)]
+    Read(#[from] ReadError),
+    /// There is no built-in set of this name.
+    #[error("there is no built-in set `{name}`")]
+    UnknownSet {
+        /// The name.
+        name: String,
+    },
+    /// A file without a particle.
+    #[error("{file}: there are no particles in it")]
+    NoParticles {
+        /// The particles' file.
+        file: String,
+    },
+    /// A file that is to be read twice and gives its bytes once only.
+    #[error("{file}: not a regular file: it cannot be read twice, as reading in pieces does")]
+    ReadTwice {
+        /// The particles' file.
+        file: String,
+    },
+    /// The particles, read in pieces, are to be the points as well.
+    #[error("{file}: particles that are read in pieces cannot be the points as well")]
+    PiecesAsPoints {
+        /// The particles' file.
+        file: String,
+    },
+    /// Neither a mass for all nor a column of masses.
+    #[error("{file}: there is no mass")]
+    NoMass {
+        /// The particles' file.
+        file: String,
+    },
+    /// Neither a support radius for all nor a column of them.
+    #[error("{file}: no support radius is given")]
+    NoSupport {
+        /// The particles' file.
+        file: String,
+        /// The mean spacing of the particles; none where all are at one point.
+        spacing: Option<f64>,
+        /// The kernel that was asked for.
+        kernel: KernelName,
+    },
+    /// More dimensions are asked for than there are.
+    #[error("{file}: it has {own} coordinates, where {asked} are asked for")]
+    TooFewCoordinates {
+        /// The file.
+        file: String,
+        /// Its coordinates.
+        own: usize,
+        /// The dimensions asked for.
+        asked: usize,
+    },
+    /// Fewer dimensions are asked for than the particles extend in.
+    #[error("{file}: {at}{} is {before} and {value}, not the same everywhere", AXES[*.axis])]
+    NotFlat {
+        /// The file.
+        file: String,
+        /// Where the first other value is, with a colon and a blank; empty where that is not known.
+        at: String,
+        /// The axis: 0 is x.
+        axis: usize,
+        /// The value there.
+        value: f64,
+        /// The value before.
+        before: f64,
+        /// The dimensions asked for.
+        dim: usize,
+    },
+    /// The coordinates span more than a number holds.
+    #[error("{file}: {} spans from {lower} to {upper}, more than a number can say", AXES[*.axis])]
+    Extent {
+        /// The particles' file.
+        file: String,
+        /// The axis: 0 is x.
+        axis: usize,
+        /// The least coordinate.
+        lower: f64,
+        /// The greatest.
+        upper: f64,
+    },
+    /// A column has numbers in some pieces of a file, and none in others.
+    #[error("{file}: numbers are there of {before} in some rows and of {now} in others")]
+    ChangingQuantities {
+        /// The particles' file.
+        file: String,
+        /// The quantities of the first pieces.
+        before: String,
+        /// Those of a later piece.
+        now: String,
+    },
+    /// Two columns of the result would have the same name.
+    #[error("{file}: {first} and {second} both give a column `{name}`")]
+    SameName {
+        /// The particles' file.
+        file: String,
+        /// The column's name.
+        name: String,
+        /// What gives the first of the columns.
+        first: String,
+        /// What gives the second.
+        second: String,
+    },
+    /// Points of other dimensions than the particles.
+    #[error("{file}: its points have the coordinates {own}, the particles of {particles} {theirs}")]
+    PointCoordinates {
+        /// The points' file.
+        file: String,
+        /// Its coordinates.
+        own: String,
+        /// The particles' file.
+        particles: String,
+        /// The coordinates that sums run over.
+        theirs: String,
+    },
+    /// A grid of other dimensions than the particles.
+    #[error("{file}: the particles have {dim} dimensions, a grid of {counts:?} cells has {}", .counts.len())]
+    GridDimensions {
+        /// The particles' file.
+        file: String,
+        /// Its dimensions.
+        dim: usize,
+        /// The grid's cells along each axis.
+        counts: Vec<usize>,
+    },
+    /// A grid that cannot be.
+    #[error("{file}: {error}")]
+    Grid {
+        /// The particles' file.
+        file: String,
+        /// What is wrong with it.
+        error: GridError,
+        /// Whether its box is that of the particles.
+        is_particles_box: bool,
+    },
+    /// A result that does not fit in memory.
+    #[error("the result has {points} points and needs {:.3} GB, but {:.3} GB of memory are free", .needed / 1e9, .available / 1e9)]
+    TooLarge {
+        /// How many points there would be.
+        points: f64,
+        /// Where they were asked for.
+        at: SamplePoints,
+        /// The particles of a built-in set, where their number was given.
+        particles: Option<usize>,
+        /// Bytes needed.
+        needed: f64,
+        /// Bytes free.
+        available: f64,
+    },
+    /// More particles than can be counted.
+    #[error("{file}: more than 2³² particles")]
+    TooMany {
+        /// The particles' file.
+        file: String,
+    },
+    /// A number that is outside the range of the scalar.
+    #[error("{file}: {what} {value}, in units of {unit}, does not fit {scalar}")]
+    OutOfRange {
+        /// The particles' file.
+        file: String,
+        /// What the number is.
+        what: String,
+        /// The number.
+        value: f64,
+        /// The unit that it is taken in.
+        unit: f64,
+        /// The scalar.
+        scalar: &'static str,
+    },
+    /// A position that is outside the range of the scalar.
+    #[error(
+        "{file}: particle {particle} at {position:?}, in units of {unit} from {origin:?}, does not fit {scalar}"
+    )]
+    PositionOutOfRange {
+        /// The particles' file.
+        file: String,
+        /// The particle's number, from 0.
+        particle: usize,
+        /// Where it is.
+        position: Vec<f64>,
+        /// The unit of length.
+        unit: f64,
+        /// The origin.
+        origin: Vec<f64>,
+        /// The scalar.
+        scalar: &'static str,
+    },
+    /// The box of the particles is outside the range of the scalar.
+    #[error("{file}: what the particles span, in units of {unit}, does not fit {scalar}: {error}")]
+    BoxOutOfRange {
+        /// The particles' file.
+        file: String,
+        /// The unit of length.
+        unit: f64,
+        /// The scalar.
+        scalar: &'static str,
+        /// What the cells of the search say of it.
+        error: sph_core::Error,
+    },
+    /// The sums cannot be.
+    #[error("{file}: {error}")]
+    Sums {
+        /// The particles' file.
+        file: String,
+        /// What is wrong.
+        error: sph_core::Error,
+    },
+    /// The temporary file for particles cannot be used.
+    #[error("a temporary file in {}: {error}", .folder.display())]
+    Spool {
+        /// The folder of temporary files.
+        folder: PathBuf,
+        /// What the system says.
+        error: io::Error,
+    },
+    /// The threads cannot be started.
+    #[error("cannot start the threads: {0}")]
+    Threads(String),
+}
+
+/// What a person should know of a result.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum Warning {
+    /// No points were asked for.
+    #[error("there are no points: the result has a header alone")]
+    NoPoints,
+    /// Particles in space that all lie in a plane or on a line across axes.
+    #[error("{file}: {} the same everywhere, but sums run over 3 dimensions", named(.constant))]
+    Flat {
+        /// The particles' file.
+        file: String,
+        /// The axes along which all particles have the same coordinate, and that.
+        constant: Vec<(&'static str, f64)>,
+    },
+    /// Positions that the scalar tells apart by so much at best.
+    #[error(
+        "{scalar} tells positions apart by {resolution:.1e} at best, where the support radius is {support:e}"
+    )]
+    Coarse {
+        /// The scalar.
+        scalar: &'static str,
+        /// The distance of neighbouring numbers at the farthest particle.
+        resolution: f64,
+        /// The smallest support radius.
+        support: f64,
+    },
+    /// Points that have no particle in reach.
+    #[error("{count} of {points} points have no particle in reach")]
+    OutOfReach {
+        /// How many.
+        count: usize,
+        /// Of how many.
+        points: usize,
+    },
+    /// Points whose particles do not carry the corrected estimate.
+    #[error(
+        "{count} of {points} points have too few particles in reach, or all of them in a plane, for the corrected estimate"
+    )]
+    IllConditioned {
+        /// How many.
+        count: usize,
+        /// Of how many.
+        points: usize,
+    },
+    /// Values that are left out.
+    #[error("{count} values are outside the range of the scalar and left out")]
+    Overflowed {
+        /// How many.
+        count: usize,
+    },
+}
+
+/// Such as "`y` is 0 and `z` is 1".
+fn named(constant: &[(&'static str, f64)]) -> String {
+    let named: Vec<String> = constant.iter().map(|(axis, value)| format!("`{axis}` is {value}")).collect();
+    named.join(" and ")
+}

@@ -1,0 +1,32 @@
+//! What would not fit in memory.
+
+use sysinfo::System;
+
+use super::error::SampleError;
+use super::request::{ParticleSource, Request, SamplePoints};
+
+/// Refuses what cannot fit in memory, before anything is read.
+pub(super) fn refuse_oversize(request: &Request) -> Result<(), SampleError> {
+    let fields = request.quantities.len().max(1) as f64 + 1.0;
+    let particles = match &request.particles {
+        ParticleSource::Demo(_, count) => *count,
+        ParticleSource::File(_) => None,
+    };
+    let count = particles.map_or(0.0, |count| count as f64);
+    let (points, dim): (f64, _) = match &request.at {
+        SamplePoints::Grid { counts, .. } => (counts.iter().map(|&n| n as f64).product(), counts.len()),
+        SamplePoints::AtParticles => (count, 3),
+        SamplePoints::At(_) => (0.0, 3),
+    };
+    let columns = fields * (1.0 + if request.gradient { dim as f64 } else { 0.0 });
+    // coordinates and columns as f64; a built-in set's particles with what sums need of them
+    let needed = points * 8.0 * (dim as f64 + columns) + count * 8.0 * 16.0;
+    // Where the system does not say, there is nothing to refuse by.
+    let Ok(mut system) = System::new() else { return Ok(()) };
+    system.refresh_memory();
+    let available = system.available_memory() as f64;
+    if needed <= available {
+        return Ok(());
+    }
+    Err(SampleError::TooLarge { points, at: request.at.clone(), particles, needed, available })
+}

@@ -1,0 +1,49 @@
+//! From files and built-in sets to tables, nothing in them checked.
+
+use std::path::{Path, PathBuf};
+
+use super::error::SampleError;
+use super::request::{ParticleSource, Request, SamplePoints};
+use crate::demo;
+use crate::io::{self, PointTable};
+
+/// The particles and points of a request as they were read.
+pub(super) struct Tables {
+    pub(super) particles: Input,
+    /// The table of points, where they have one of their own.
+    pub(super) points: Option<PointTable>,
+}
+
+/// A table of particles.
+pub(super) enum Input {
+    /// All of it, with the support radius of a built-in set.
+    Whole(PointTable, Option<f64>),
+    /// A file to be read so many rows at a time, twice.
+    Pieces(PathBuf, usize),
+}
+
+/// Reads the tables of a request.
+pub(super) fn read(request: &Request) -> Result<Tables, SampleError> {
+    let particles = match (&request.particles, request.chunk) {
+        (ParticleSource::File(path), Some(most)) => pieces(path, most)?,
+        (ParticleSource::File(path), None) => Input::Whole(io::read(path)?, None),
+        (ParticleSource::Demo(name, count), _) => {
+            let unknown = || SampleError::UnknownSet { name: name.clone() };
+            let set = demo::set(name, *count).ok_or_else(unknown)?;
+            Input::Whole(set.table, Some(set.support_radius))
+        }
+    };
+    let points = match &request.at {
+        SamplePoints::At(path) => Some(io::read(path)?),
+        SamplePoints::Grid { .. } | SamplePoints::AtParticles => None,
+    };
+    Ok(Tables { particles, points })
+}
+
+fn pieces(path: &Path, most: usize) -> Result<Input, SampleError> {
+    // where there is no file, opening it says so
+    if path.metadata().is_ok_and(|file| !file.is_file()) {
+        return Err(SampleError::ReadTwice { file: path.display().to_string() });
+    }
+    Ok(Input::Pieces(path.to_owned(), most))
+}
