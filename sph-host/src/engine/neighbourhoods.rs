@@ -1,4 +1,4 @@
-//! Who is near some particles now: of the candidates in their rows those within the support radius, with offsets and slopes.
+//! The neighbours of some particles now: of the candidates in their rows those within the support radius, with offsets and slopes.
 
 use std::marker::PhantomData;
 use std::ops::Range;
@@ -8,7 +8,9 @@ use sph_core::{Arithmetic, Lane};
 
 use super::records::ParticleRecords;
 use super::verlet_lists::ListChunk;
-use crate::fast::{BLOCK, Evaluate, InstructionSet, Isa, Job, Real, Register, reserve, sixteen_mut};
+use crate::fast::{
+    BLOCK, Evaluate, InstructionSet, Isa, Job, Real, Register, last_store, reserve, sixteen_mut,
+};
 use crate::kernel_choice::{KernelName, with_kernel};
 
 /// The kernel of a run.
@@ -36,7 +38,16 @@ impl<T: Real> SimdKernel<T> {
     }
 }
 
-/// What was found about some consecutive particles: of each the numbers of its blocks of fluid and of walls.
+/// What a sum needs of the kernel.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Needed {
+    /// f(q)
+    Profiles,
+    /// f′(q)/q
+    Slopes,
+}
+
+/// The neighbours of some consecutive particles in blocks: of each particle the blocks of fluid and of walls.
 #[derive(Clone, Debug)]
 pub(super) struct Neighbourhoods<T, const D: usize> {
     pub(super) spans: Vec<[Range<usize>; 2]>,
@@ -66,7 +77,7 @@ impl<T, const D: usize> Default for Neighbourhoods<T, D> {
 }
 
 impl<T: Real, const D: usize> Neighbourhoods<T, D> {
-    /// Looks about the particles at `places`, whose rows are those of a chunk from number `first` on.
+    /// Finds the neighbours of the particles at `places`, whose rows are those of a chunk from number `first` on.
     pub(super) fn find_neighbours(
         &mut self,
         kernel: &SimdKernel<T>,
@@ -75,14 +86,20 @@ impl<T: Real, const D: usize> Neighbourhoods<T, D> {
         first: usize,
         places: impl Iterator<Item = usize>,
         padding: u32,
+        needed: Needed,
     ) {
         let inverse_square = kernel.inverse_square;
         let job = FindNeighbours { near: self, inverse_square, records, chunk, first, places, padding };
         let end = T::dispatch(kernel.level, job);
-        reserve(&mut self.profiles, end);
-        reserve(&mut self.slopes, end);
+        match needed {
+            Needed::Profiles => reserve(&mut self.profiles, end),
+            Needed::Slopes => reserve(&mut self.slopes, end),
+        }
         let squares = &self.squares[..end];
-        let (profiles, slopes) = (&mut self.profiles[..end], &mut self.slopes[..end]);
+        let (profiles, slopes): (&mut [T], &mut [T]) = match needed {
+            Needed::Profiles => (&mut self.profiles[..end], &mut []),
+            Needed::Slopes => (&mut [], &mut self.slopes[..end]),
+        };
         with_kernel!(kernel.name, K => {
             let profile_of = PhantomData::<K>;
             let evaluate = Evaluate::<_, _, D> { squares, inverse: T::ONE, inverses: None, profiles, slopes, kernel: profile_of };
@@ -146,7 +163,7 @@ impl<'a, T: Real, const D: usize> Blocks<'a, T, D> {
     }
 }
 
-/// Finds who is near.
+/// The search of [`Neighbourhoods::find_neighbours`].
 struct FindNeighbours<'a, T, P, const D: usize> {
     near: &'a mut Neighbourhoods<T, D>,
     inverse_square: T,
@@ -176,7 +193,11 @@ impl<T: Real, P: Iterator<Item = usize>, const D: usize> Job<T> for FindNeighbou
                 let room = end + (row.len() + 1) * BLOCK;
                 near.reserve(room);
                 let (squares, found) = (&mut near.squares[..room], &mut near.places[..room]);
-                let offsets = near.offsets.each_mut();
+                let offsets = near.offsets.each_mut().map(
+                    #[inline(always)]
+                    |axis| &mut axis[..room],
+                );
+                let last_store = last_store(room, width);
                 for block in row {
                     for part in 0..I::PARTS {
                         let candidates = &block[part * width..(part + 1) * width];
@@ -187,10 +208,9 @@ impl<T: Real, P: Iterator<Item = usize>, const D: usize> Job<T> for FindNeighbou
                         }
                         let square = norm_squared(&offset) * inverse_square;
                         let mask = isa.less_than_mask(square, I::Reg::ONE);
-                        // what `end` cannot exceed: said for the compiler, so that one check is enough for all lists
-                        let at = end.min(room - width);
+                        let at = end.min(last_store);
                         for axis in 0..D {
-                            isa.pack(mask, offset[axis], &mut offsets[axis][..room][at..at + width]);
+                            isa.pack(mask, offset[axis], &mut offsets[axis][at..at + width]);
                         }
                         isa.pack(mask, square, &mut squares[at..at + width]);
                         isa.pack_places(mask, candidates, &mut found[at..at + width]);

@@ -1,8 +1,8 @@
 //! Candidates: runs of consecutive particles, sixteen at a time.
 
 use super::cells::BandLayout;
-use super::set::SortedCells;
 use super::simd::{BLOCK, Real, Register};
+use super::sorted_cells::SortedCells;
 
 /// Sixteen consecutive particles, and a bit for each that counts.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -41,6 +41,14 @@ pub(crate) fn sixteen_mut<V>(list: &mut [V], first: usize) -> &mut [V; BLOCK] {
     list[first..].first_chunk_mut().expect("a block of padding")
 }
 
+/// The last place where a register of so many numbers can be stored, in a list of a known length: `place.min(last)` says to the
+/// compiler what cannot be otherwise, and takes the place of a check for each list.
+#[inline(always)]
+pub(crate) fn last_store(length: usize, width: usize) -> usize {
+    assert!(width <= length, "room for a register");
+    length - width
+}
+
 /// Lists the candidates about a box that lies in one row of cells, of the particles from a place on, after the first `end`
 /// blocks; returns where they end then.
 #[inline(always)]
@@ -65,7 +73,7 @@ pub(super) fn candidates<T: Real, const D: usize>(
     end
 }
 
-/// So many blocks are written at once, whether there are as many or not: how many there are cannot be foreseen.
+/// Blocks that are written together, even where fewer are needed: a branch on their number would be mispredicted.
 const AT_ONCE: usize = 4;
 
 /// Splits consecutive particles into blocks, of which as many are `needed`.

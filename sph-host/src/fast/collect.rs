@@ -2,10 +2,10 @@
 
 use sph_core::Lane;
 
-use super::blocks::{Block, candidates, reserve, sixteen_mut, squares};
-use super::set::SortedCells;
+use super::blocks::{Block, candidates, last_store, reserve, sixteen_mut, squares};
 use super::simd::{BLOCK, Isa, Job, Real, Register};
 use super::sort::Sorted;
+use super::sorted_cells::SortedCells;
 
 /// What was found about some points. The lists are longer than what was found: the rest is left over.
 #[derive(Clone, Debug, Default)]
@@ -64,6 +64,8 @@ impl<T: Real, const D: usize> Job<T> for Collect<'_, T, D> {
             let last = candidates(self.cells, &x, &x, 0, blocks, first);
             reserve(squares, start + (last - first + 1) * BLOCK);
             let (blocks, mut end) = (&mut blocks[first..last], start);
+            let out = &mut squares[..];
+            let last_store = last_store(out.len(), I::Reg::WIDTH);
             near(
                 isa,
                 self.cells,
@@ -72,7 +74,8 @@ impl<T: Real, const D: usize> Job<T> for Collect<'_, T, D> {
                 blocks,
                 #[inline(always)]
                 |_, _, mask, r2| {
-                    isa.pack(mask, r2, &mut squares[end..end + I::Reg::WIDTH]);
+                    let at = end.min(last_store);
+                    isa.pack(mask, r2, &mut out[at..at + I::Reg::WIDTH]);
                     end += mask.count_ones() as usize;
                 },
             );
@@ -94,10 +97,45 @@ fn near<T: Real, const D: usize, I: Isa<T>>(
     own_limits: Option<&[T]>,
     x: &[T; D],
     blocks: &mut [Block],
+    take: impl FnMut(&Block, usize, u32, I::Reg),
+) {
+    let axes = cells.sorted.padded();
+    let limit = I::Reg::splat(cells.radius * cells.radius);
+    match own_limits {
+        None => filter::<T, D, I>(
+            isa,
+            &axes,
+            x,
+            blocks,
+            #[inline(always)]
+            |_| limit,
+            take,
+        ),
+        Some(limits) => {
+            let limits = &limits[..axes[0].len()];
+            filter::<T, D, I>(
+                isa,
+                &axes,
+                x,
+                blocks,
+                #[inline(always)]
+                |first| I::Reg::load_at(limits, first),
+                take,
+            );
+        }
+    }
+}
+
+/// The loop of [`near`]; `limit` has h² of the particles from a place on.
+#[inline(always)]
+fn filter<T: Real, const D: usize, I: Isa<T>>(
+    isa: I,
+    axes: &[&[T]; D],
+    x: &[T; D],
+    blocks: &mut [Block],
+    limit: impl Fn(usize) -> I::Reg,
     mut take: impl FnMut(&Block, usize, u32, I::Reg),
 ) {
-    let limit = I::Reg::splat(cells.radius * cells.radius);
-    let axes = cells.sorted.padded();
     let x: [I::Reg; D] = I::splat_vector(x);
     for block in blocks {
         let mut found = 0;
@@ -105,16 +143,12 @@ fn near<T: Real, const D: usize, I: Isa<T>>(
             let shift = part * I::Reg::WIDTH;
             let first = block.first as usize + shift;
             let squares: I::Reg = squares(
-                &axes,
+                axes,
                 first,
                 #[inline(always)]
                 |axis, y| x[axis] - y,
             );
-            let limit = match own_limits {
-                None => limit,
-                Some(limits) => I::Reg::load_at(limits, first),
-            };
-            let mask = (block.mask >> shift) & isa.less_than_mask(squares, limit);
+            let mask = (block.mask >> shift) & isa.less_than_mask(squares, limit(first));
             found |= mask << shift;
             take(block, shift, mask, squares);
         }
@@ -135,6 +169,8 @@ pub(crate) fn list_places<T: Real, const D: usize, I: Isa<T>>(
 ) -> usize {
     let count = candidates(cells, x, x, 0, blocks, 0);
     reserve(places, end + (count + 1) * BLOCK);
+    let out = &mut places[..];
+    let last_store = last_store(out.len(), I::Reg::WIDTH);
     near(
         isa,
         cells,
@@ -143,7 +179,8 @@ pub(crate) fn list_places<T: Real, const D: usize, I: Isa<T>>(
         &mut blocks[..count],
         #[inline(always)]
         |block, shift, mask, _| {
-            isa.pack_places(mask, &block.places()[shift..], &mut places[end..end + I::Reg::WIDTH]);
+            let at = end.min(last_store);
+            isa.pack_places(mask, &block.places()[shift..], &mut out[at..at + I::Reg::WIDTH]);
             end += mask.count_ones() as usize;
         },
     );
@@ -171,6 +208,7 @@ impl<T: Real, const C: usize> Job<T> for Pick<'_, T, C> {
             reserve(out, room);
             &mut out[..room]
         });
+        let last_store = last_store(room, I::Reg::WIDTH);
         let mut blocks = &found.blocks[..];
         for span in &found.spans {
             let (own, rest) = blocks.split_at(span.blocks);
@@ -180,9 +218,10 @@ impl<T: Real, const C: usize> Job<T> for Pick<'_, T, C> {
                 for part in 0..I::PARTS {
                     let shift = part * I::Reg::WIDTH;
                     let mask = (block.mask >> shift) & I::ALL;
+                    let at = end.min(last_store);
                     for column in 0..C {
                         let values = I::Reg::load_at(columns[column], block.first as usize + shift);
-                        isa.pack(mask, values, &mut out[column][end..end + I::Reg::WIDTH]);
+                        isa.pack(mask, values, &mut out[column][at..at + I::Reg::WIDTH]);
                     }
                     end += mask.count_ones() as usize;
                 }

@@ -20,6 +20,12 @@ fn slope<T: Real, R: Register<T>, K: Kernel, const D: usize>(q: R) -> R {
     slope / q.max(R::splat(T::SMALL))
 }
 
+/// q = r/h, held at 1, beyond which every kernel is zero.
+#[inline(always)]
+fn q<T: Real, R: Register<T>>(square: R, scale: R) -> R {
+    (square * scale).min(R::ONE).root()
+}
+
 /// f(q) and f′(q) / q for many particles.
 pub(crate) struct Evaluate<'a, T, K, const D: usize> {
     /// r², in whole blocks.
@@ -40,29 +46,47 @@ impl<T: Real, K: Kernel, const D: usize> Job<T> for Evaluate<'_, T, K, D> {
 
     #[inline(always)]
     fn run<I: Isa<T>>(self, _: I) {
-        let Self { squares, inverses, profiles, slopes, .. } = self;
         let uniform = I::Reg::splat(self.inverse * self.inverse);
-        let width = I::Reg::WIDTH;
-        let count = squares.len();
-        let (with_profiles, with_slopes) = (!profiles.is_empty(), !slopes.is_empty());
-        let profiles = if with_profiles { &mut profiles[..count] } else { profiles };
-        let slopes = if with_slopes { &mut slopes[..count] } else { slopes };
-        for first in (0..count).step_by(width) {
-            let square = I::Reg::load_at(squares, first);
-            let scale = match inverses {
-                None => uniform,
-                Some(inverses) => {
-                    let inverse = I::Reg::load_at(inverses, first);
-                    inverse * inverse
-                }
-            };
-            // held at 1, beyond which every kernel is zero
-            let q = (square * scale).min(I::Reg::ONE).root();
-            if with_slopes {
-                slope::<T, I::Reg, K, D>(q).store(&mut slopes[first..first + width]);
+        match self.inverses {
+            None => self.all::<I>(
+                #[inline(always)]
+                |_| uniform,
+            ),
+            Some(inverses) => {
+                let inverses = &inverses[..self.squares.len()];
+                self.all::<I>(
+                    #[inline(always)]
+                    |first| {
+                        let inverse = I::Reg::load_at(inverses, first);
+                        inverse * inverse
+                    },
+                );
             }
-            if with_profiles {
-                profile::<I::Reg, K, D>(q).store(&mut profiles[first..first + width]);
+        }
+    }
+}
+
+impl<T: Real, K: Kernel, const D: usize> Evaluate<'_, T, K, D> {
+    /// `scale` has 1 / h² of the particles from a place on.
+    #[inline(always)]
+    fn all<I: Isa<T>>(self, scale: impl Fn(usize) -> I::Reg) {
+        let Self { squares, profiles, slopes, .. } = self;
+        let width = I::Reg::WIDTH;
+        let squares = squares.chunks_exact(width).enumerate();
+        if slopes.is_empty() {
+            for ((number, squares), profiles) in squares.zip(profiles.chunks_exact_mut(width)) {
+                profile::<I::Reg, K, D>(q(I::Reg::load(squares), scale(number * width))).store(profiles);
+            }
+        } else if profiles.is_empty() {
+            for ((number, squares), slopes) in squares.zip(slopes.chunks_exact_mut(width)) {
+                slope::<T, I::Reg, K, D>(q(I::Reg::load(squares), scale(number * width))).store(slopes);
+            }
+        } else {
+            let out = profiles.chunks_exact_mut(width).zip(slopes.chunks_exact_mut(width));
+            for ((number, squares), (profiles, slopes)) in squares.zip(out) {
+                let q = q(I::Reg::load(squares), scale(number * width));
+                slope::<T, I::Reg, K, D>(q).store(slopes);
+                profile::<I::Reg, K, D>(q).store(profiles);
             }
         }
     }

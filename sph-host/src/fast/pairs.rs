@@ -1,4 +1,4 @@
-//! Sums over pairs of particles, each of which is looked at once.
+//! Sums over pairs of particles, each pair evaluated once.
 
 use std::marker::PhantomData;
 use std::ops::Range;
@@ -8,15 +8,15 @@ use sph_core::{Arithmetic, Lane};
 
 use super::blocks::{reserve, squares};
 use super::evaluate::profile;
-use super::set::SortedCells;
 use super::shared_neighbourhood::{GROUP, SharedNeighbourhood};
 use super::simd::{BLOCK, Isa, Job, Real, Register};
+use super::sorted_cells::SortedCells;
 
 /// Copies what is in reach of a group and comes no earlier than it.
 pub(super) struct Gather<'a, T, const D: usize> {
     pub(super) cells: &'a SortedCells<T, D>,
     pub(super) group: Range<usize>,
-    pub(super) around: &'a mut SharedNeighbourhood<T, D>,
+    pub(super) shared: &'a mut SharedNeighbourhood<T, D>,
 }
 
 impl<T: Real, const D: usize> Job<T> for Gather<'_, T, D> {
@@ -24,27 +24,27 @@ impl<T: Real, const D: usize> Job<T> for Gather<'_, T, D> {
 
     #[inline(always)]
     fn run<I: Isa<T>>(self, isa: I) {
-        self.around.gather(isa, self.cells, self.group.clone(), self.group.start);
+        self.shared.gather(isa, self.cells, self.group.clone(), self.group.start);
     }
 }
 
-/// Memory that is used again, a number for each particle around a group.
+/// Memory that is used again, a number for each particle of a shared neighbourhood.
 #[derive(Clone, Debug)]
 pub(super) struct PairScratch<T, const D: usize> {
-    pub(super) around: SharedNeighbourhood<T, D>,
+    pub(super) shared: SharedNeighbourhood<T, D>,
     /// m_j, where these are not all 1.
     masses: Vec<T>,
-    /// What was summed at each particle around.
+    /// The sums at each particle of the neighbourhood.
     pub(super) sums: Vec<T>,
 }
 
 impl<T, const D: usize> Default for PairScratch<T, D> {
     fn default() -> Self {
-        Self { around: SharedNeighbourhood::default(), masses: Vec::new(), sums: Vec::new() }
+        Self { shared: SharedNeighbourhood::default(), masses: Vec::new(), sums: Vec::new() }
     }
 }
 
-/// Sums m_j f(q) over what is around a group, for the particles of the group, which are first in it, and for the others.
+/// Sums m_j f(q) over the neighbourhood of a group: for the particles of the group, which come first in it, and for the others.
 pub(super) struct Pairs<'a, T, K, const D: usize> {
     pub(super) cells: &'a SortedCells<T, D>,
     pub(super) group: Range<usize>,
@@ -65,17 +65,17 @@ impl<T: Real, K: Kernel, const D: usize> Job<T> for Pairs<'_, T, K, D> {
 impl<T: Real, K: Kernel, const D: usize> Pairs<'_, T, K, D> {
     #[inline(always)]
     fn all<I: Isa<T>, const MASSES: bool>(self) {
-        let PairScratch { around, masses, sums } = self.scratch;
-        let (axes, places) = around.padded();
+        let PairScratch { shared, masses, sums } = self.scratch;
+        let (axes, places) = shared.padded();
         let length = places.len();
         reserve(sums, length);
         reserve(masses, length);
         let (masses, sums) = (&mut masses[..length], &mut sums[..length]);
         if let Some(all) = self.masses {
-            for (mass, &place) in masses.iter_mut().zip(around.places()) {
+            for (mass, &place) in masses.iter_mut().zip(shared.places()) {
                 *mass = all[place as usize];
             }
-            masses[around.places().len()..].fill(T::ZERO);
+            masses[shared.places().len()..].fill(T::ZERO);
         }
         sums.fill(T::ZERO);
         let inverse = T::ONE / self.cells.radius;

@@ -4,9 +4,9 @@ use std::ops::Range;
 
 use sph_core::Lane;
 
-use super::blocks::{Block, candidates, reserve, sixteen_mut, squares};
-use super::set::SortedCells;
+use super::blocks::{Block, candidates, last_store, reserve, sixteen_mut, squares};
 use super::simd::{BLOCK, Isa, Real, Register};
+use super::sorted_cells::SortedCells;
 
 /// Particles that share a search: with more, fewer of those that are near one of them are near another.
 pub(super) const GROUP: usize = 12;
@@ -66,6 +66,7 @@ impl<T: Real, const D: usize> SharedNeighbourhood<T, D> {
         let (lower, upper): ([I::Reg; D], [I::Reg; D]) = (I::splat_vector(&lower), I::splat_vector(&upper));
         let limit = I::Reg::splat(cells.radius * cells.radius);
         let width = I::Reg::WIDTH;
+        let last_store = last_store(room, width);
         let mut end = 0;
         for block in &self.blocks[..blocks] {
             let all = block.places();
@@ -79,11 +80,12 @@ impl<T: Real, const D: usize> SharedNeighbourhood<T, D> {
                     |axis, x: I::Reg| x - x.max(lower[axis]).min(upper[axis]),
                 );
                 let mask = (block.mask >> (part * width)) & isa.less_than_mask(squares, limit);
+                let at = end.min(last_store);
                 for axis in 0..D {
                     let values = I::Reg::load_at(axes[axis], first);
-                    isa.pack(mask, values, &mut coordinates[axis][end..end + width]);
+                    isa.pack(mask, values, &mut coordinates[axis][at..at + width]);
                 }
-                isa.pack_places(mask, &all[part * width..], &mut places[end..end + width]);
+                isa.pack_places(mask, &all[part * width..], &mut places[at..at + width]);
                 end += mask.count_ones() as usize;
             }
         }

@@ -76,7 +76,7 @@ pub trait Isa<T: Copy>: Copy {
     /// from WIDTH on are ignored.
     fn pack(self, mask: u32, values: Self::Reg, out: &mut [T]);
 
-    /// Likewise the first WIDTH of some places.
+    /// The same for the first WIDTH of some places.
     fn pack_places(self, mask: u32, places: &[u32], out: &mut [u32]);
 
     /// Joins the sums of all parts, halves first: the order in which [`Lane::total`] adds up the columns of one register.
@@ -190,6 +190,7 @@ mod sealed {
     }
 }
 
+#[cfg(any(target_arch = "x86_64", target_arch = "aarch64", target_feature = "simd128"))]
 #[macro_use]
 mod register;
 mod array;
