@@ -6,10 +6,10 @@ default:
 check *steps:
     .ci/run {{steps}}
 
-# The fast path's speed; RUST_PEERS names a program to compare with
-bench side="100" threads="1" level="best":
-    cargo run --release -p sph-host --example bench -- {{side}} {{threads}} {{level}}
+# The speed of the fast path and of the fluid, with AVX2 and the best instruction set; RUST_PEERS names a program to compare with
+bench side="100" threads="1":
+    cargo bench -p sph-host --bench bench -- {{side}} {{threads}}
 
-# Instructions a particle of the fast path with AVX2, which valgrind knows, against a table: fails where they grow; --update
+# Instructions of the fast path and of the fluid with AVX2, which valgrind knows, against a table: fails where they grow; --update
 count *update:
-    cargo run --release -p sph-host --example count -- {{update}}
+    cargo bench -p sph-host --bench count -- {{update}}

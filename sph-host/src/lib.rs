@@ -19,4 +19,6 @@ pub mod run;
 pub mod sample;
 pub mod scalar_choice;
 
+#[doc(hidden)]
+pub use engine::Tank;
 pub use failure::Failure;

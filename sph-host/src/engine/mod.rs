@@ -13,8 +13,11 @@ mod records;
 mod setup;
 mod simulation;
 mod summation;
+mod tank;
 mod verlet_lists;
 
 pub(crate) use pbf::PositionBased;
 pub(crate) use setup::{Setup, StateEquation, cells, centre, jittered, walls};
+pub use tank::Tank;
+
 pub(crate) use simulation::{RunError, Simulate, Simulation, Snapshot, layout};

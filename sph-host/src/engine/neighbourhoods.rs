@@ -1,13 +1,16 @@
-//! Who is near some particles now: of the candidates in their rows those within the support radius, with offsets and slopes.
+//! The neighbours of some particles now: of the candidates in their rows those within the support radius, with offsets and slopes.
 
 use std::marker::PhantomData;
 use std::ops::Range;
 
 use sph_core::vector::norm_squared;
+use sph_core::{Arithmetic, Lane};
 
-use super::records::{ParticleRecords, Wide};
+use super::records::ParticleRecords;
 use super::verlet_lists::ListChunk;
-use crate::fast::{BLOCK, Evaluate, InstructionSet, Isa, Job, Lanes, Real, reserve, sixteen_mut};
+use crate::fast::{
+    BLOCK, Evaluate, InstructionSet, Isa, Job, Real, Register, last_store, reserve, sixteen_mut,
+};
 use crate::kernel_choice::{KernelName, with_kernel};
 
 /// The kernel of a run.
@@ -35,7 +38,16 @@ impl<T: Real> SimdKernel<T> {
     }
 }
 
-/// What was found about some consecutive particles: of each the numbers of its blocks of fluid and of walls.
+/// What a sum needs of the kernel.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Needed {
+    /// f(q)
+    Profiles,
+    /// f′(q)/q
+    Slopes,
+}
+
+/// The neighbours of some consecutive particles in blocks: of each particle the blocks of fluid and of walls.
 #[derive(Clone, Debug)]
 pub(super) struct Neighbourhoods<T, const D: usize> {
     pub(super) spans: Vec<[Range<usize>; 2]>,
@@ -65,7 +77,7 @@ impl<T, const D: usize> Default for Neighbourhoods<T, D> {
 }
 
 impl<T: Real, const D: usize> Neighbourhoods<T, D> {
-    /// Looks about the particles at `places`, whose rows are those of a chunk from number `first` on.
+    /// Finds the neighbours of the particles at `places`, whose rows are those of a chunk from number `first` on.
     pub(super) fn find_neighbours(
         &mut self,
         kernel: &SimdKernel<T>,
@@ -74,14 +86,20 @@ impl<T: Real, const D: usize> Neighbourhoods<T, D> {
         first: usize,
         places: impl Iterator<Item = usize>,
         padding: u32,
+        needed: Needed,
     ) {
         let inverse_square = kernel.inverse_square;
         let job = FindNeighbours { near: self, inverse_square, records, chunk, first, places, padding };
         let end = T::dispatch(kernel.level, job);
-        reserve(&mut self.profiles, end);
-        reserve(&mut self.slopes, end);
+        match needed {
+            Needed::Profiles => reserve(&mut self.profiles, end),
+            Needed::Slopes => reserve(&mut self.slopes, end),
+        }
         let squares = &self.squares[..end];
-        let (profiles, slopes) = (&mut self.profiles[..end], &mut self.slopes[..end]);
+        let (profiles, slopes): (&mut [T], &mut [T]) = match needed {
+            Needed::Profiles => (&mut self.profiles[..end], &mut []),
+            Needed::Slopes => (&mut [], &mut self.slopes[..end]),
+        };
         with_kernel!(kernel.name, K => {
             let profile_of = PhantomData::<K>;
             let evaluate = Evaluate::<_, _, D> { squares, inverse: T::ONE, inverses: None, profiles, slopes, kernel: profile_of };
@@ -106,24 +124,46 @@ impl<T: Real, const D: usize> Neighbourhoods<T, D> {
         }
     }
 
-    /// The records of block number `block`, their offsets, and a list's numbers about them.
+    /// Some blocks, with a list's numbers about them.
     #[inline(always)]
-    pub(super) fn block(&self, block: usize, list: &[T]) -> (&[u32; BLOCK], [Wide<T>; D], Wide<T>) {
-        let offsets = std::array::from_fn(
-            #[inline(always)]
-            |axis| wide(&self.offsets[axis], block),
-        );
-        (&self.places.as_chunks::<BLOCK>().0[block], offsets, wide(list, block))
+    pub(super) fn blocks<'a>(&'a self, span: &Range<usize>, list: &'a [T]) -> Blocks<'a, T, D> {
+        let numbers = &list.as_chunks().0[span.clone()];
+        let mut offsets = [numbers; D];
+        for axis in 0..D {
+            offsets[axis] = &self.offsets[axis].as_chunks().0[span.clone()];
+        }
+        Blocks { places: &self.places.as_chunks().0[span.clone()], offsets, numbers }
     }
 }
 
-/// Block number `block` of a list.
-#[inline(always)]
-fn wide<T: Real>(list: &[T], block: usize) -> Wide<T> {
-    Lanes(list.as_chunks::<BLOCK>().0[block])
+/// The neighbours of one particle in blocks.
+pub(super) struct Blocks<'a, T, const D: usize> {
+    places: &'a [[u32; BLOCK]],
+    offsets: [&'a [[T; BLOCK]]; D],
+    numbers: &'a [[T; BLOCK]],
 }
 
-/// Finds who is near.
+impl<'a, T: Real, const D: usize> Blocks<'a, T, D> {
+    /// How many blocks there are.
+    #[inline(always)]
+    pub(super) fn len(&self) -> usize {
+        self.places.len()
+    }
+
+    /// Of one part of a block the records, the offsets, and the list's numbers.
+    #[inline(always)]
+    pub(super) fn part<I: Isa<T>>(&self, block: usize, part: usize) -> (&'a [u32], [I::Reg; D], I::Reg) {
+        let (first, width) = (part * I::Reg::WIDTH, I::Reg::WIDTH);
+        let mut offsets = [I::Reg::ZERO; D];
+        for axis in 0..D {
+            offsets[axis] = I::Reg::load_at(&self.offsets[axis][block], first);
+        }
+        let numbers = I::Reg::load_at(&self.numbers[block], first);
+        (&self.places[block][first..first + width], offsets, numbers)
+    }
+}
+
+/// The search of [`Neighbourhoods::find_neighbours`].
 struct FindNeighbours<'a, T, P, const D: usize> {
     near: &'a mut Neighbourhoods<T, D>,
     inverse_square: T,
@@ -141,28 +181,41 @@ impl<T: Real, P: Iterator<Item = usize>, const D: usize> Job<T> for FindNeighbou
     #[inline(always)]
     fn run<I: Isa<T>>(self, isa: I) -> usize {
         let Self { near, inverse_square, records, chunk, first, places, padding } = self;
+        let inverse_square = I::Reg::splat(inverse_square);
+        let width = I::Reg::WIDTH;
         near.spans.clear();
         let mut end = 0;
         for (k, place) in places.enumerate() {
-            let x: [Wide<T>; D] = records.position(place);
+            let x: [I::Reg; D] = records.position(place);
             let mut spans = [0..0, 0..0];
             for (span, row) in spans.iter_mut().zip(chunk.row(first + k)) {
                 let start = end;
-                near.reserve(end + (row.len() + 1) * BLOCK);
+                let room = end + (row.len() + 1) * BLOCK;
+                near.reserve(room);
+                let (squares, found) = (&mut near.squares[..room], &mut near.places[..room]);
+                let offsets = near.offsets.each_mut().map(
+                    #[inline(always)]
+                    |axis| &mut axis[..room],
+                );
+                let last_store = last_store(room, width);
                 for block in row {
-                    let other: [Wide<T>; D] = records.positions(isa, block);
-                    let mut offset = x;
-                    for axis in 0..D {
-                        offset[axis] -= other[axis];
+                    for part in 0..I::PARTS {
+                        let candidates = &block[part * width..(part + 1) * width];
+                        let other: [I::Reg; D] = records.positions(isa, candidates);
+                        let mut offset = x;
+                        for axis in 0..D {
+                            offset[axis] -= other[axis];
+                        }
+                        let square = norm_squared(&offset) * inverse_square;
+                        let mask = isa.less_than_mask(square, I::Reg::ONE);
+                        let at = end.min(last_store);
+                        for axis in 0..D {
+                            isa.pack(mask, offset[axis], &mut offsets[axis][at..at + width]);
+                        }
+                        isa.pack(mask, square, &mut squares[at..at + width]);
+                        isa.pack_places(mask, candidates, &mut found[at..at + width]);
+                        end += mask.count_ones() as usize;
                     }
-                    let square = norm_squared(&offset) * Lanes::splat(inverse_square);
-                    let mask = isa.below(&square.0, &[T::ONE; BLOCK]);
-                    for axis in 0..D {
-                        isa.pack(mask, &offset[axis].0, sixteen_mut(&mut near.offsets[axis], end));
-                    }
-                    isa.pack(mask, &square.0, sixteen_mut(&mut near.squares, end));
-                    isa.pack_places(mask, block, sixteen_mut(&mut near.places, end));
-                    end += mask.count_ones() as usize;
                 }
                 near.fill_up(end, padding);
                 end = end.next_multiple_of(BLOCK);

@@ -7,7 +7,7 @@ use super::neighbourhoods::SimdKernel;
 use super::setup::Setup;
 use super::summation::SimdSummation;
 use super::verlet_lists::VerletLists;
-use crate::fast::Real;
+use crate::fast::{InstructionSet, Real};
 use crate::kernel_choice::{AnyInfluence, KernelName};
 
 /// The fluid at one time, in f64 whatever it is computed in.
@@ -104,6 +104,11 @@ impl<T: Real, const D: usize> Simulation<T, D> {
         };
         simulation.prepare()?;
         Ok(simulation)
+    }
+
+    /// The same with the code of another instruction set: the bits are the same, the time is not.
+    pub(crate) fn at_level(self, level: InstructionSet) -> Self {
+        Self { sums: self.sums.at_level(level), ..self }
     }
 
     fn particles(&mut self) -> (Scheme<T, D, AnyInfluence<T, D>>, Particles<'_, T, D, SimdSummation<T, D>>) {

@@ -1,21 +1,21 @@
-//! The sums over neighbours on vectors and threads: sph-core's terms on sixteen pairs at a time, over rows that are kept.
+//! The sums over neighbours on registers and threads: sph-core's terms on several pairs at a time, over rows that are kept.
 
 use std::ops::Range;
 
 use rayon::prelude::*;
-use sph_core::Error;
 use sph_core::fluid::wcsph::{ForceSums, Forces, Pair, RateSums, Scheme, Seen, Summation, WallSums};
+use sph_core::{Error, Lane};
 
-use super::neighbourhoods::{Neighbourhoods, SimdKernel};
-use super::records::{ParticleRecords, Wide, record};
+use super::neighbourhoods::{Blocks, Needed, Neighbourhoods, SimdKernel};
+use super::records::{ParticleRecords, record};
 use super::verlet_lists::{LIST_CHUNK, ListChunk, VerletLists};
-use crate::fast::{Isa, Job, Lanes, Real};
+use crate::fast::{InstructionSet, Isa, Job, Real};
 use crate::kernel_choice::AnyInfluence;
 
 #[cfg(test)]
 mod tests;
 
-/// Particles about which is looked at once: what is found fits the first cache.
+/// Particles whose neighbours are found together: they fit the first cache.
 const GROUP: usize = 8;
 
 /// What sums over neighbours.
@@ -32,7 +32,13 @@ impl<T: Real, const D: usize> SimdSummation<T, D> {
         Self { rows, kernel, records: ParticleRecords { places: Vec::new(), states: Vec::new() } }
     }
 
-    /// Lists rows anew where that is needed, and takes down fluid particles as they are seen.
+    /// The same with the code of another instruction set.
+    pub(super) fn at_level(mut self, level: InstructionSet) -> Self {
+        (self.kernel.level, self.rows.level) = (level, level);
+        self
+    }
+
+    /// Lists rows anew where that is needed, and records fluid particles as they are seen.
     fn refresh_records(
         &mut self,
         scheme: &Host<T, D>,
@@ -59,7 +65,7 @@ impl<T: Real, const D: usize> SimdSummation<T, D> {
         Ok(())
     }
 
-    /// A record for everybody and every image; walls are dry to begin with.
+    /// Makes a record for every particle and every image; walls are dry to begin with.
     fn make_room(&mut self, scheme: &Host<T, D>, walls: &[[T; D]], fluid: usize) {
         let (all, is_new) = (fluid + walls.len(), self.records.places.is_empty());
         self.records.resize::<D>(all + 1 + self.rows.images.len());
@@ -81,6 +87,7 @@ impl<T: Real, const D: usize> SimdSummation<T, D> {
         &self,
         chunks: &[ListChunk],
         out: &mut [U],
+        needed: Needed,
         place: impl Fn(usize) -> usize + Sync,
         sum: impl Fn(&Neighbourhoods<T, D>, Range<usize>, &mut [U]) + Sync,
     ) {
@@ -97,6 +104,7 @@ impl<T: Real, const D: usize> SimdSummation<T, D> {
                     first,
                     range.clone().map(&place),
                     padding,
+                    needed,
                 );
                 sum(near, range, out);
             }
@@ -110,6 +118,7 @@ impl<T: Real, const D: usize> SimdSummation<T, D> {
         self.each(
             &rows.of_walls,
             &mut found,
+            Needed::Profiles,
             |k| rows.wet[k] as usize,
             |near, _, out| {
                 T::dispatch(level, SumWalls { scheme, records, near, out });
@@ -138,6 +147,7 @@ impl<T: Real, const D: usize> Summation<T, D, AnyInfluence<T, D>> for SimdSummat
         self.each(
             &self.rows.of_fluid,
             rates,
+            Needed::Slopes,
             |k| k,
             |near, range, out| {
                 T::dispatch(
@@ -171,6 +181,7 @@ impl<T: Real, const D: usize> Summation<T, D, AnyInfluence<T, D>> for SimdSummat
         self.each(
             &self.rows.of_fluid,
             forces,
+            Needed::Slopes,
             |k| k,
             |near, range, out| {
                 T::dispatch(
@@ -200,14 +211,19 @@ impl<T: Real, const D: usize> SumRates<'_, T, D> {
     fn add<I: Isa<T>, const FLUID: bool>(
         &self,
         isa: I,
-        own: &Seen<Wide<T>, D>,
-        blocks: &Range<usize>,
-        sums: &mut RateSums<T, Wide<T>>,
+        own: &Seen<I::Reg, D>,
+        span: &Range<usize>,
+        part: usize,
+        sums: &mut RateSums<T, I::Reg>,
     ) {
         let wanted = [false, FLUID, FLUID, !FLUID];
-        for block in blocks.clone() {
-            let (other, pair) = pair(isa, self.records, self.near, block, self.gradient_scale, wanted);
-            self.scheme.add_rate(sums, own, &other, &pair, FLUID);
+        let blocks = self.near.blocks(span, &self.near.slopes);
+        let gradient_scale = I::Reg::splat(self.gradient_scale);
+        // a copy, which nothing else can write to: its numbers are loaded before the loop
+        let scheme = *self.scheme;
+        for block in 0..blocks.len() {
+            let (other, pair) = pair(isa, self.records, &blocks, block, part, gradient_scale, wanted);
+            scheme.add_rate(sums, own, &other, &pair, FLUID);
         }
     }
 }
@@ -219,9 +235,19 @@ impl<T: Real, const D: usize> Job<T> for SumRates<'_, T, D> {
     fn run<I: Isa<T>>(self, isa: I) {
         for (k, spans) in self.near.spans.iter().enumerate() {
             let own = self.records.seen(self.first + k);
-            let mut sums = RateSums::<T, Wide<T>>::EMPTY;
-            self.add::<I, true>(isa, &own, &spans[0], &mut sums);
-            self.add::<I, false>(isa, &own, &spans[1], &mut sums);
+            let mut parts = I::parts(RateSums::<T, I::Reg>::EMPTY);
+            for part in 0..I::PARTS {
+                // on their own while they grow, so that they stay in registers
+                let mut sums = RateSums::<T, I::Reg>::EMPTY;
+                self.add::<I, true>(isa, &own, &spans[0], part, &mut sums);
+                self.add::<I, false>(isa, &own, &spans[1], part, &mut sums);
+                parts.as_mut()[part] = sums;
+            }
+            let sums = I::join_parts(
+                parts,
+                #[inline(always)]
+                |sums, other| sums.join(other),
+            );
             self.out[k] = self.scheme.total_rate(&self.seen[k], sums);
         }
     }
@@ -243,14 +269,19 @@ impl<T: Real, const D: usize> SumForces<'_, T, D> {
     fn add<I: Isa<T>, const FLUID: bool>(
         &self,
         isa: I,
-        own: &Seen<Wide<T>, D>,
-        blocks: &Range<usize>,
-        sums: &mut ForceSums<T, Wide<T>, D>,
+        own: &Seen<I::Reg, D>,
+        span: &Range<usize>,
+        part: usize,
+        sums: &mut ForceSums<T, I::Reg, D>,
     ) {
         let wanted = [false, true, true, true];
-        for block in blocks.clone() {
-            let (other, pair) = pair(isa, self.records, self.near, block, self.gradient_scale, wanted);
-            self.scheme.add_force(sums, own, &other, &pair, FLUID);
+        let blocks = self.near.blocks(span, &self.near.slopes);
+        let gradient_scale = I::Reg::splat(self.gradient_scale);
+        // a copy, which nothing else can write to: its numbers are loaded before the loop
+        let scheme = *self.scheme;
+        for block in 0..blocks.len() {
+            let (other, pair) = pair(isa, self.records, &blocks, block, part, gradient_scale, wanted);
+            scheme.add_force(sums, own, &other, &pair, FLUID);
         }
     }
 }
@@ -262,9 +293,19 @@ impl<T: Real, const D: usize> Job<T> for SumForces<'_, T, D> {
     fn run<I: Isa<T>>(self, isa: I) {
         for (k, spans) in self.near.spans.iter().enumerate() {
             let own = self.records.seen(self.first + k);
-            let mut sums = ForceSums::<T, Wide<T>, D>::EMPTY;
-            self.add::<I, true>(isa, &own, &spans[0], &mut sums);
-            self.add::<I, false>(isa, &own, &spans[1], &mut sums);
+            let mut parts = I::parts(ForceSums::<T, I::Reg, D>::EMPTY);
+            for part in 0..I::PARTS {
+                // on their own while they grow, so that they stay in registers
+                let mut sums = ForceSums::<T, I::Reg, D>::EMPTY;
+                self.add::<I, true>(isa, &own, &spans[0], part, &mut sums);
+                self.add::<I, false>(isa, &own, &spans[1], part, &mut sums);
+                parts.as_mut()[part] = sums;
+            }
+            let sums = I::join_parts(
+                parts,
+                #[inline(always)]
+                |sums, other| sums.join(other),
+            );
             self.out[k] = self.scheme.total_forces(sums);
         }
     }
@@ -285,28 +326,39 @@ impl<T: Real, const D: usize> Job<T> for SumWalls<'_, T, D> {
     fn run<I: Isa<T>>(self, isa: I) {
         let Self { scheme, records, near, out } = self;
         for (out, spans) in out.iter_mut().zip(&near.spans) {
-            let mut sums = WallSums::<T, Wide<T>, D>::EMPTY;
-            for block in spans[0].clone() {
-                let (places, offset, weight) = near.block(block, &near.profiles);
-                let other = records.seen_at(isa, places, [true, true, false, false]);
-                scheme.add_to_wall(&mut sums, &other, &offset, weight);
+            let blocks = near.blocks(&spans[0], &near.profiles);
+            let mut parts = I::parts(WallSums::<T, I::Reg, D>::EMPTY);
+            for part in 0..I::PARTS {
+                let mut sums = WallSums::<T, I::Reg, D>::EMPTY;
+                for block in 0..blocks.len() {
+                    let (places, offset, weight) = blocks.part::<I>(block, part);
+                    let other = records.seen_at(isa, places, [true, true, false, false]);
+                    scheme.add_to_wall(&mut sums, &other, &offset, weight);
+                }
+                parts.as_mut()[part] = sums;
             }
+            let sums = I::join_parts(
+                parts,
+                #[inline(always)]
+                |sums, other| sums.join(other),
+            );
             *out = scheme.total_wall(sums);
         }
     }
 }
 
-/// Sixteen neighbours, and from where the particle stands.
+/// A register of neighbours, and their offsets and slopes.
 #[inline(always)]
 fn pair<T: Real, I: Isa<T>, const D: usize>(
     isa: I,
     records: &ParticleRecords<T>,
-    near: &Neighbourhoods<T, D>,
+    blocks: &Blocks<T, D>,
     block: usize,
-    gradient_scale: T,
+    part: usize,
+    gradient_scale: I::Reg,
     wanted: [bool; 4],
-) -> (Seen<Wide<T>, D>, Pair<Wide<T>, D>) {
-    let (places, offset, slope) = near.block(block, &near.slopes);
+) -> (Seen<I::Reg, D>, Pair<I::Reg, D>) {
+    let (places, offset, slope) = blocks.part::<I>(block, part);
     let other = records.seen_at(isa, places, wanted);
-    (other, Pair { offset, slope: slope * Lanes::splat(gradient_scale) })
+    (other, Pair { offset, slope: slope * gradient_scale })
 }

@@ -36,7 +36,7 @@ pub(super) struct VerletLists<T, const D: usize> {
     pub(super) wet: Vec<u32>,
     /// The record that pads blocks: never a neighbour.
     pub(super) padding: u32,
-    level: InstructionSet,
+    pub(super) level: InstructionSet,
 }
 
 /// A particle again, elsewhere.
@@ -102,12 +102,6 @@ impl<T: Real, const D: usize> VerletLists<T, D> {
             padding: padding as u32,
             level: InstructionSet::best(),
         })
-    }
-
-    /// The same with the code of another instruction set.
-    #[cfg(test)]
-    pub(super) fn at_level(self, level: InstructionSet) -> Self {
-        Self { level, ..self }
     }
 
     /// Has rows listed anew: particles have changed places.

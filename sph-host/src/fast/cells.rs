@@ -165,7 +165,7 @@ impl<const D: usize> BandLayout<D> {
     pub(super) const RUNS: usize = if D < 3 { 6 } else { 9 };
 }
 
-/// The nearest whole number to a small one: a cast that stands in a vector, as `as i32` does not.
+/// The nearest whole number to a small one: a cast that compilers make a vector of, as they do not of `as i32`.
 #[inline(always)]
 fn nearest(x: f32) -> i32 {
     // beyond this, floats are whole numbers one apart

@@ -1,10 +1,11 @@
 //! The particles in reach of a point, moved together: sixteen candidates at a time.
 
-use super::blocks::{Block, candidates, reserve, sixteen, sixteen_mut, squares};
-use super::lanes::Lanes;
-use super::set::SortedCells;
-use super::simd::{BLOCK, Isa, Job, Real};
+use sph_core::Lane;
+
+use super::blocks::{Block, candidates, last_store, reserve, sixteen_mut, squares};
+use super::simd::{BLOCK, Isa, Job, Real, Register};
 use super::sort::Sorted;
+use super::sorted_cells::SortedCells;
 
 /// What was found about some points. The lists are longer than what was found: the rest is left over.
 #[derive(Clone, Debug, Default)]
@@ -63,6 +64,8 @@ impl<T: Real, const D: usize> Job<T> for Collect<'_, T, D> {
             let last = candidates(self.cells, &x, &x, 0, blocks, first);
             reserve(squares, start + (last - first + 1) * BLOCK);
             let (blocks, mut end) = (&mut blocks[first..last], start);
+            let out = &mut squares[..];
+            let last_store = last_store(out.len(), I::Reg::WIDTH);
             near(
                 isa,
                 self.cells,
@@ -70,9 +73,10 @@ impl<T: Real, const D: usize> Job<T> for Collect<'_, T, D> {
                 &x,
                 blocks,
                 #[inline(always)]
-                |block, r2| {
-                    isa.pack(block.mask, r2, sixteen_mut(squares, end));
-                    end += block.mask.count_ones() as usize;
+                |_, _, mask, r2| {
+                    let at = end.min(last_store);
+                    isa.pack(mask, r2, &mut out[at..at + I::Reg::WIDTH]);
+                    end += mask.count_ones() as usize;
                 },
             );
             spans.push(Span { start, count: end - start, blocks: last - first });
@@ -83,7 +87,8 @@ impl<T: Real, const D: usize> Job<T> for Collect<'_, T, D> {
     }
 }
 
-/// Leaves of the candidates those with r² < h² about x, and hands over each block with its squares. h is the cells' own, or each
+/// Leaves of the candidates those with r² < h² about x, and hands over the mask and the squares of each register of a block, with
+/// the block and where in it they begin. h is the cells' own, or each
 /// particle's where `own_limits` has their squares.
 #[inline(always)]
 fn near<T: Real, const D: usize, I: Isa<T>>(
@@ -92,16 +97,62 @@ fn near<T: Real, const D: usize, I: Isa<T>>(
     own_limits: Option<&[T]>,
     x: &[T; D],
     blocks: &mut [Block],
-    mut take: impl FnMut(&Block, &[T; BLOCK]),
+    take: impl FnMut(&Block, usize, u32, I::Reg),
 ) {
-    let limit = [cells.radius * cells.radius; BLOCK];
     let axes = cells.sorted.padded();
+    let limit = I::Reg::splat(cells.radius * cells.radius);
+    match own_limits {
+        None => filter::<T, D, I>(
+            isa,
+            &axes,
+            x,
+            blocks,
+            #[inline(always)]
+            |_| limit,
+            take,
+        ),
+        Some(limits) => {
+            let limits = &limits[..axes[0].len()];
+            filter::<T, D, I>(
+                isa,
+                &axes,
+                x,
+                blocks,
+                #[inline(always)]
+                |first| I::Reg::load_at(limits, first),
+                take,
+            );
+        }
+    }
+}
+
+/// The loop of [`near`]; `limit` has h² of the particles from a place on.
+#[inline(always)]
+fn filter<T: Real, const D: usize, I: Isa<T>>(
+    isa: I,
+    axes: &[&[T]; D],
+    x: &[T; D],
+    blocks: &mut [Block],
+    limit: impl Fn(usize) -> I::Reg,
+    mut take: impl FnMut(&Block, usize, u32, I::Reg),
+) {
+    let x: [I::Reg; D] = I::splat_vector(x);
     for block in blocks {
-        let first = block.first as usize;
-        let squares = squares(&axes, first, |axis, y| Lanes::splat(x[axis]) - y);
-        let limit = own_limits.map_or(&limit, |limits| sixteen(limits, first));
-        block.mask &= isa.below(&squares.0, limit);
-        take(block, &squares.0);
+        let mut found = 0;
+        for part in 0..I::PARTS {
+            let shift = part * I::Reg::WIDTH;
+            let first = block.first as usize + shift;
+            let squares: I::Reg = squares(
+                axes,
+                first,
+                #[inline(always)]
+                |axis, y| x[axis] - y,
+            );
+            let mask = (block.mask >> shift) & isa.less_than_mask(squares, limit(first));
+            found |= mask << shift;
+            take(block, shift, mask, squares);
+        }
+        block.mask = found;
     }
 }
 
@@ -118,6 +169,8 @@ pub(crate) fn list_places<T: Real, const D: usize, I: Isa<T>>(
 ) -> usize {
     let count = candidates(cells, x, x, 0, blocks, 0);
     reserve(places, end + (count + 1) * BLOCK);
+    let out = &mut places[..];
+    let last_store = last_store(out.len(), I::Reg::WIDTH);
     near(
         isa,
         cells,
@@ -125,9 +178,10 @@ pub(crate) fn list_places<T: Real, const D: usize, I: Isa<T>>(
         x,
         &mut blocks[..count],
         #[inline(always)]
-        |block, _| {
-            isa.pack_places(block.mask, &block.places(), sixteen_mut(places, end));
-            end += block.mask.count_ones() as usize;
+        |block, shift, mask, _| {
+            let at = end.min(last_store);
+            isa.pack_places(mask, &block.places()[shift..], &mut out[at..at + I::Reg::WIDTH]);
+            end += mask.count_ones() as usize;
         },
     );
     end
@@ -154,17 +208,23 @@ impl<T: Real, const C: usize> Job<T> for Pick<'_, T, C> {
             reserve(out, room);
             &mut out[..room]
         });
+        let last_store = last_store(room, I::Reg::WIDTH);
         let mut blocks = &found.blocks[..];
         for span in &found.spans {
             let (own, rest) = blocks.split_at(span.blocks);
             blocks = rest;
             let mut end = span.start;
             for block in own {
-                for column in 0..C {
-                    let values = sixteen(columns[column], block.first as usize);
-                    isa.pack(block.mask, values, sixteen_mut(out[column], end));
+                for part in 0..I::PARTS {
+                    let shift = part * I::Reg::WIDTH;
+                    let mask = (block.mask >> shift) & I::ALL;
+                    let at = end.min(last_store);
+                    for column in 0..C {
+                        let values = I::Reg::load_at(columns[column], block.first as usize + shift);
+                        isa.pack(mask, values, &mut out[column][at..at + I::Reg::WIDTH]);
+                    }
+                    end += mask.count_ones() as usize;
                 }
-                end += block.mask.count_ones() as usize;
             }
             for out in &mut out {
                 *sixteen_mut(out, end) = [T::ZERO; BLOCK];

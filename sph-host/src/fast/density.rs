@@ -8,9 +8,9 @@ use sph_core::{Error, KernelInfluence, Parameter, PerSample};
 
 use super::cells::Run;
 use super::pairs::{Gather, PairScratch, Pairs};
-use super::set::{SortedCells, check_length};
 use super::shared_neighbourhood::SharedNeighbourhood;
 use super::simd::Real;
+use super::sorted_cells::{SortedCells, check_length};
 use crate::parallel;
 
 /// Particles that a thread takes at a time.
@@ -70,10 +70,10 @@ impl<T: Real, const D: usize> SortedCells<T, D> {
         let mut rest = particles;
         while !rest.is_empty() {
             let group = SharedNeighbourhood::group(self, &rest);
-            let around = &mut scratch.around;
-            T::dispatch(self.level, Gather { cells: self, group: group.clone(), around });
+            let shared = &mut scratch.shared;
+            T::dispatch(self.level, Gather { cells: self, group: group.clone(), shared });
             pairs(self, group.clone(), masses, &mut scratch);
-            window.add(scratch.around.places(), &scratch.sums);
+            window.add(scratch.shared.places(), &scratch.sums);
             rest.start = group.end;
         }
         window

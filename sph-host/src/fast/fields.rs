@@ -6,9 +6,9 @@ use sph_core::{Error, KernelInfluence, Parameter};
 
 use super::cells::BandLayout;
 use super::radius_octaves::OwnRadii;
-use super::set::{SortedCells, bounds, check_length};
 use super::simd::Real;
 use super::sort::sort;
+use super::sorted_cells::{SortedCells, bounds, check_length};
 use super::sums::{Group, PointScratch};
 use crate::parallel;
 

@@ -1,14 +1,14 @@
-//! Who is in reach of whom.
+//! The neighbours of every particle.
 
 use std::ops::Range;
 
 use rayon::prelude::*;
+use sph_core::Lane;
 
-use super::blocks::{reserve, sixteen_mut, squares};
-use super::lanes::Lanes;
-use super::set::SortedCells;
+use super::blocks::{last_store, reserve, squares};
 use super::shared_neighbourhood::SharedNeighbourhood;
-use super::simd::{BLOCK, Isa, Job, Real};
+use super::simd::{BLOCK, Isa, Job, Real, Register};
+use super::sorted_cells::SortedCells;
 
 /// Particles whose lists are in one piece of memory.
 const CHUNK: usize = 2048;
@@ -71,9 +71,9 @@ impl<T: Real, const D: usize> SortedCells<T, D> {
     pub fn neighbour_lists(&self, lists: &mut NeighbourLists) {
         lists.chunks.resize_with(self.len().div_ceil(CHUNK), Chunk::default);
         let work = lists.chunks.par_iter_mut().enumerate();
-        work.for_each_init(SharedNeighbourhood::default, |around, (number, chunk)| {
+        work.for_each_init(SharedNeighbourhood::default, |shared, (number, chunk)| {
             let particles = number * CHUNK..self.len().min((number + 1) * CHUNK);
-            T::dispatch(self.level, Lists { cells: self, particles, around, chunk });
+            T::dispatch(self.level, Lists { cells: self, particles, shared, chunk });
         });
     }
 }
@@ -82,7 +82,7 @@ impl<T: Real, const D: usize> SortedCells<T, D> {
 struct Lists<'a, T, const D: usize> {
     cells: &'a SortedCells<T, D>,
     particles: Range<usize>,
-    around: &'a mut SharedNeighbourhood<T, D>,
+    shared: &'a mut SharedNeighbourhood<T, D>,
     chunk: &'a mut Chunk,
 }
 
@@ -91,21 +91,30 @@ impl<T: Real, const D: usize> Job<T> for Lists<'_, T, D> {
 
     #[inline(always)]
     fn run<I: Isa<T>>(self, isa: I) {
-        let Self { cells, particles, around, chunk: Chunk { ends, places: out } } = self;
-        let limit = [cells.radius * cells.radius; BLOCK];
+        let Self { cells, particles, shared, chunk: Chunk { ends, places: out } } = self;
+        let limit = I::Reg::splat(cells.radius * cells.radius);
+        let width = I::Reg::WIDTH;
         ends.clear();
         let (mut rest, mut end) = (particles, 0);
         while !rest.is_empty() {
             let group = SharedNeighbourhood::group(cells, &rest);
-            around.gather(isa, cells, group.clone(), 0);
-            let (axes, places) = around.padded();
+            shared.gather(isa, cells, group.clone(), 0);
+            let (axes, places) = shared.padded();
             reserve(out, end + group.len() * places.len() + BLOCK);
+            let out = &mut out[..];
+            let last_store = last_store(out.len(), width);
             for place in group.clone() {
-                let x = cells.sorted.position(place);
-                for (block, places) in places.as_chunks::<BLOCK>().0.iter().enumerate() {
-                    let squares = squares(&axes, block * BLOCK, |axis, y| Lanes::splat(x[axis]) - y);
-                    let mask = isa.below(&squares.0, &limit);
-                    isa.pack_places(mask, places, sixteen_mut(out, end));
+                let x: [I::Reg; D] = I::splat_vector(&cells.sorted.position(place));
+                for (number, places) in places.chunks_exact(width).enumerate() {
+                    let squares: I::Reg = squares(
+                        &axes,
+                        number * width,
+                        #[inline(always)]
+                        |axis, y| x[axis] - y,
+                    );
+                    let mask = isa.less_than_mask(squares, limit);
+                    let at = end.min(last_store);
+                    isa.pack_places(mask, places, &mut out[at..at + width]);
                     end += mask.count_ones() as usize;
                 }
                 ends.push(end);

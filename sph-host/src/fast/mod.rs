@@ -13,24 +13,22 @@ mod collect;
 mod density;
 mod evaluate;
 mod fields;
-mod lanes;
 mod lists;
 mod pairs;
 mod radius_octaves;
-mod set;
 mod shared_neighbourhood;
 mod simd;
 mod sort;
+mod sorted_cells;
 mod sums;
 
-pub(crate) use blocks::{Block, reserve, sixteen_mut};
+pub(crate) use blocks::{Block, last_store, reserve, sixteen_mut};
 pub(crate) use collect::list_places;
 pub(crate) use evaluate::Evaluate;
-pub(crate) use lanes::Lanes;
-pub(crate) use simd::{BLOCK, Isa, Job};
+pub(crate) use simd::{BLOCK, Isa, Job, Register};
 
 pub use fields::{Fields, Sums};
 pub use lists::NeighbourLists;
 pub use radius_octaves::RadiusOctaves;
-pub use set::SortedCells;
 pub use simd::{InstructionSet, Real};
+pub use sorted_cells::SortedCells;

@@ -1,23 +1,22 @@
-//! Sums over pairs of particles, each of which is looked at once.
+//! Sums over pairs of particles, each pair evaluated once.
 
 use std::marker::PhantomData;
 use std::ops::Range;
 
-use sph_core::Arithmetic;
 use sph_core::kernel::Kernel;
+use sph_core::{Arithmetic, Lane};
 
-use super::blocks::{reserve, sixteen, squares};
-use super::evaluate::{profile, totals};
-use super::lanes::Lanes;
-use super::set::SortedCells;
+use super::blocks::{reserve, squares};
+use super::evaluate::profile;
 use super::shared_neighbourhood::{GROUP, SharedNeighbourhood};
-use super::simd::{BLOCK, Isa, Job, Real};
+use super::simd::{BLOCK, Isa, Job, Real, Register};
+use super::sorted_cells::SortedCells;
 
 /// Copies what is in reach of a group and comes no earlier than it.
 pub(super) struct Gather<'a, T, const D: usize> {
     pub(super) cells: &'a SortedCells<T, D>,
     pub(super) group: Range<usize>,
-    pub(super) around: &'a mut SharedNeighbourhood<T, D>,
+    pub(super) shared: &'a mut SharedNeighbourhood<T, D>,
 }
 
 impl<T: Real, const D: usize> Job<T> for Gather<'_, T, D> {
@@ -25,27 +24,27 @@ impl<T: Real, const D: usize> Job<T> for Gather<'_, T, D> {
 
     #[inline(always)]
     fn run<I: Isa<T>>(self, isa: I) {
-        self.around.gather(isa, self.cells, self.group.clone(), self.group.start);
+        self.shared.gather(isa, self.cells, self.group.clone(), self.group.start);
     }
 }
 
-/// Memory that is used again, a number for each particle around a group.
+/// Memory that is used again, a number for each particle of a shared neighbourhood.
 #[derive(Clone, Debug)]
 pub(super) struct PairScratch<T, const D: usize> {
-    pub(super) around: SharedNeighbourhood<T, D>,
+    pub(super) shared: SharedNeighbourhood<T, D>,
     /// m_j, where these are not all 1.
     masses: Vec<T>,
-    /// What was summed at each particle around.
+    /// The sums at each particle of the neighbourhood.
     pub(super) sums: Vec<T>,
 }
 
 impl<T, const D: usize> Default for PairScratch<T, D> {
     fn default() -> Self {
-        Self { around: SharedNeighbourhood::default(), masses: Vec::new(), sums: Vec::new() }
+        Self { shared: SharedNeighbourhood::default(), masses: Vec::new(), sums: Vec::new() }
     }
 }
 
-/// Sums m_j f(q) over what is around a group, for the particles of the group, which are first in it, and for the others.
+/// Sums m_j f(q) over the neighbourhood of a group: for the particles of the group, which come first in it, and for the others.
 pub(super) struct Pairs<'a, T, K, const D: usize> {
     pub(super) cells: &'a SortedCells<T, D>,
     pub(super) group: Range<usize>,
@@ -59,48 +58,62 @@ impl<T: Real, K: Kernel, const D: usize> Job<T> for Pairs<'_, T, K, D> {
 
     #[inline(always)]
     fn run<I: Isa<T>>(self, _: I) {
-        if self.masses.is_some() { self.all::<true>() } else { self.all::<false>() }
+        if self.masses.is_some() { self.all::<I, true>() } else { self.all::<I, false>() }
     }
 }
 
 impl<T: Real, K: Kernel, const D: usize> Pairs<'_, T, K, D> {
     #[inline(always)]
-    fn all<const MASSES: bool>(self) {
-        let PairScratch { around, masses, sums } = self.scratch;
-        let (axes, places) = around.padded();
+    fn all<I: Isa<T>, const MASSES: bool>(self) {
+        let PairScratch { shared, masses, sums } = self.scratch;
+        let (axes, places) = shared.padded();
         let length = places.len();
         reserve(sums, length);
         reserve(masses, length);
         let (masses, sums) = (&mut masses[..length], &mut sums[..length]);
         if let Some(all) = self.masses {
-            for (mass, &place) in masses.iter_mut().zip(around.places()) {
+            for (mass, &place) in masses.iter_mut().zip(shared.places()) {
                 *mass = all[place as usize];
             }
-            masses[around.places().len()..].fill(T::ZERO);
+            masses[shared.places().len()..].fill(T::ZERO);
         }
         sums.fill(T::ZERO);
         let inverse = T::ONE / self.cells.radius;
-        let inverse_square = Lanes::splat(inverse * inverse);
-        let mut own = [[T::ZERO; BLOCK]; GROUP];
+        let inverse_square = I::Reg::splat(inverse * inverse);
+        let width = I::Reg::WIDTH;
+        let mut own = [T::ZERO; GROUP];
         for (i, own) in own.iter_mut().enumerate().take(self.group.len()) {
-            let x = axes.map(|axis| Lanes::splat(axis[i]));
-            let mass = Lanes::splat(masses[i]);
-            let mut columns = Lanes::ZERO;
+            let mut x = [I::Reg::ZERO; D];
+            for axis in 0..D {
+                x[axis] = I::Reg::splat(axes[axis][i]);
+            }
+            let mass = I::Reg::splat(masses[i]);
+            let mut columns = I::parts(I::Reg::ZERO);
             for (block, sums) in sums.as_chunks_mut::<BLOCK>().0.iter_mut().enumerate() {
-                let squares = squares(&axes, block * BLOCK, |axis, y| x[axis] - y);
-                let q = (squares * inverse_square).min(Lanes::ONE).root();
-                let f = profile::<_, K, D>(q);
-                if MASSES {
-                    columns += Lanes(*sixteen(masses, block * BLOCK)) * f;
-                    *sums = (Lanes(*sums) + mass * f).0;
-                } else {
-                    columns += f;
-                    *sums = (Lanes(*sums) + f).0;
+                for part in 0..I::PARTS {
+                    let first = block * BLOCK + part * width;
+                    let squares: I::Reg = squares(
+                        &axes,
+                        first,
+                        #[inline(always)]
+                        |axis, y| x[axis] - y,
+                    );
+                    let q = (squares * inverse_square).min(I::Reg::ONE).root();
+                    let f = profile::<_, K, D>(q);
+                    let sums = &mut sums[part * width..];
+                    let (column, sum) = (&mut columns.as_mut()[part], I::Reg::load(sums));
+                    if MASSES {
+                        *column += I::Reg::load_at(masses, first) * f;
+                        (sum + mass * f).store(sums);
+                    } else {
+                        *column += f;
+                        (sum + f).store(sums);
+                    }
                 }
             }
-            *own = columns.0;
+            *own = I::total_of_parts(columns);
         }
-        for (sum, own) in sums.iter_mut().zip(totals(&own)).take(self.group.len()) {
+        for (sum, own) in sums.iter_mut().zip(own).take(self.group.len()) {
             *sum = own;
         }
     }

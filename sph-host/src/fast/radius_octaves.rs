@@ -4,8 +4,8 @@ use rayon::prelude::*;
 use sph_core::{Error, Parameter};
 
 use super::fields::{Fields, Part};
-use super::set::{SortedCells, check_length, check_radius};
 use super::simd::{InstructionSet, Real};
+use super::sorted_cells::{SortedCells, check_length, check_radius};
 
 /// Particles sorted by the octave of their support radius, and within each octave into [`SortedCells`]: a point looks at cells that
 /// suit the radii in them, however widely these differ.

@@ -139,7 +139,7 @@ fn into_buckets<T: Real, const D: usize>(
     (moved, ends)
 }
 
-/// Turns counts into the places where each begins.
+/// Replaces counts by the places where each begins.
 fn running_starts(counts: &mut [u32], first: u32) {
     let mut next = first;
     for count in counts {

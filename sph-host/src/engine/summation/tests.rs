@@ -4,7 +4,6 @@ use sph_core::fluid::wcsph::{CellStorage, Liquid, OneByOne, Particles};
 
 use super::*;
 use crate::engine::{cells, centre, jittered};
-use crate::fast::InstructionSet;
 use crate::kernel_choice::KernelName;
 
 const SUPPORT: f64 = 0.25;
@@ -79,9 +78,7 @@ fn on_vectors<T: Real>(
     let (positions, fluid) = particles::<T>();
     let support = T::from_f64(SUPPORT);
     let rows = VerletLists::new(*scheme.layout.domain(), support, fluid, &positions[fluid..]).unwrap();
-    let mut kernel_of_run = SimdKernel::new::<2>(kernel, support);
-    kernel_of_run.level = level;
-    SimdSummation::new(rows.at_level(level), kernel_of_run)
+    SimdSummation::new(rows, SimdKernel::new::<2>(kernel, support)).at_level(level)
 }
 
 /// The greatest difference over the greatest number.

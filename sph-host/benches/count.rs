@@ -1,4 +1,4 @@
-//! Instructions a particle or a point of the fast path with AVX2, counted by valgrind, against those of
+//! Instructions a particle, a point or a particle-step with AVX2, counted by valgrind, against those of
 //! `docs/instructions.txt`: `just count`. Unlike times, they are the same on every run, so a vector loop that has silently
 //! become a scalar one shows on any machine.
 //!
@@ -10,22 +10,28 @@ use std::process::{Command, ExitCode};
 
 use sph_core::Uniform;
 use sph_core::kernel::CubicSpline;
-use sph_host::fast::{InstructionSet, NeighbourLists, SortedCells};
+use sph_host::Tank;
+use sph_host::fast::{InstructionSet, NeighbourLists, Real, SortedCells};
 
 /// Particles along an edge of the cube.
 const SIDE: usize = 24;
 /// What a count may exceed that of the table by.
 const TOLERANCE: f64 = 0.02;
 const TABLE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/instructions.txt");
-const JOBS: [&str; 6] = ["sort", "J1", "J1-masses", "J2-value", "J2-gradient", "J4"];
+const JOBS: [&str; 9] =
+    ["sort", "J1", "J1-f64", "J1-masses", "J2-value", "J2-gradient", "J4", STEP_F32_3D, STEP_F64_2D];
+/// A step of the fluid.
+const STEP_F32_3D: &str = "step-f32-3d";
+const STEP_F64_2D: &str = "step-f64-2d";
 
 fn main() -> ExitCode {
-    match std::env::args().nth(1).as_deref() {
+    // cargo adds --bench
+    match std::env::args().skip(1).find(|word| word != "--bench").as_deref() {
         None => compare(),
         Some("--update") => update(),
         Some(job) => {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a thread");
-            pool.install(|| run(job));
+            println!("{}", pool.install(|| run(job)));
             ExitCode::SUCCESS
         }
     }
@@ -60,7 +66,7 @@ fn update() -> ExitCode {
     ExitCode::SUCCESS
 }
 
-/// Instructions a particle within [`measured`].
+/// Instructions within [`measured`], divided by what the job prints.
 fn count(job: &str) -> f64 {
     let program = std::env::current_exe().expect("the path of this program");
     let out = Path::new("/dev/null").display();
@@ -71,13 +77,32 @@ fn count(job: &str) -> f64 {
     let collected =
         said.lines().find_map(|line| line.split_once("Collected :")?.1.trim().parse::<f64>().ok());
     match collected {
-        Some(count) if output.status.success() => count / SIDE.pow(3) as f64,
+        Some(count) if output.status.success() => {
+            let units = String::from_utf8_lossy(&output.stdout);
+            count / units.trim().parse::<f64>().expect("a number of particles, points or particle-steps")
+        }
         _ => panic!("valgrind failed: {said}"),
     }
 }
 
+/// Does a job; returns for how many particles, points or particle-steps.
+fn run(job: &str) -> usize {
+    match job {
+        STEP_F32_3D => steps::<f32, 3>(12, 0.02),
+        STEP_F64_2D => steps::<f64, 2>(32, 0.01),
+        _ => run_on_lattice(job),
+    }
+}
+
+/// Steps of the fluid in a tank that is so many particles wide: enough for neighbours to be listed anew.
+fn steps<T: Real, const D: usize>(side: u32, seconds: f64) -> usize {
+    let mut tank = Tank::<T, D>::new(side, InstructionSet::Avx2).expect("a tank");
+    let steps = measured(|| tank.advance(seconds)).expect("steps");
+    steps as usize * tank.particles()
+}
+
 /// Does a job on a lattice where every coordinate is jittered by up to a fifth of the spacing.
-fn run(job: &str) {
+fn run_on_lattice(job: &str) -> usize {
     let mut random = 12345_u64;
     let mut jitter = || {
         random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
@@ -94,12 +119,18 @@ fn run(job: &str) {
     match job {
         "sort" => drop(measured(sort)),
         "J1" => drop(measured(|| cells.density::<CubicSpline>(Uniform(1.0)))),
+        "J1-f64" => {
+            let wide: Vec<[f64; 3]> = positions.iter().map(|x| x.map(f64::from)).collect();
+            let cells = SortedCells::sort(&wide, 2.6).expect("a set").at_level(InstructionSet::Avx2);
+            drop(measured(|| cells.density::<CubicSpline>(Uniform(1.0))));
+        }
         "J1-masses" => drop(measured(|| cells.density::<CubicSpline>(&numbers[..]))),
         "J2-value" => drop(measured(|| fields.at::<CubicSpline>(&positions, false))),
         "J2-gradient" => drop(measured(|| fields.at::<CubicSpline>(&positions, true))),
         "J4" => measured(|| cells.neighbour_lists(&mut lists)),
         _ => panic!("no such job: {job}"),
     }
+    positions.len()
 }
 
 /// What is counted.

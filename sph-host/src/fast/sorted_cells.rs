@@ -1,4 +1,4 @@
-//! The sorted particles, and what they can be asked for.
+//! The sorted particles, and the jobs that start from them.
 
 use std::ops::Range;
 
@@ -116,7 +116,7 @@ pub(super) fn check_length(found: usize, expected: usize, parameter: Parameter) 
     if found == expected { Ok(()) } else { Err(Error::LengthMismatch { parameter, expected, found }) }
 }
 
-/// Positions that are looked at together.
+/// Positions that a thread takes at a time.
 const CHUNK: usize = 1 << 14;
 
 /// The box of the positions: zero where there are none.

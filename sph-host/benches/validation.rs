@@ -1,6 +1,6 @@
 //! Every case at three resolutions: the tables of `docs/validation.md`.
 //!
-//! `cargo run --release -p sph-host --example validation`, with the name of a case for that case alone. Takes some minutes.
+//! `cargo bench -p sph-host --bench validation`, with `-- NAME` for the case of that name alone. Takes some minutes.
 
 use std::error::Error;
 
@@ -16,7 +16,8 @@ const CASES: [(CaseName, [u32; 3], &str); 5] = [
 ];
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let wanted = std::env::args().nth(1);
+    // cargo adds --bench
+    let wanted = std::env::args().skip(1).find(|word| word != "--bench");
     for (case, resolutions, column) in CASES {
         if wanted.as_ref().is_none_or(|name| *name == case.name()) {
             report(case, resolutions, column)?;
