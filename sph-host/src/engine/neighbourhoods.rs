@@ -76,18 +76,26 @@ impl<T, const D: usize> Default for Neighbourhoods<T, D> {
     }
 }
 
+/// Where neighbours are searched, and what is worked out of the kernel for each.
+#[derive(Clone, Copy)]
+pub(super) struct Search<'a, T> {
+    pub(super) kernel: &'a SimdKernel<T>,
+    pub(super) records: &'a ParticleRecords<T>,
+    /// The record that pads blocks.
+    pub(super) padding: u32,
+    pub(super) needed: Needed,
+}
+
 impl<T: Real, const D: usize> Neighbourhoods<T, D> {
     /// Finds the neighbours of the particles at `places`, whose rows are those of a chunk from number `first` on.
     pub(super) fn find_neighbours(
         &mut self,
-        kernel: &SimdKernel<T>,
-        records: &ParticleRecords<T>,
+        search: Search<'_, T>,
         chunk: &ListChunk,
         first: usize,
         places: impl Iterator<Item = usize>,
-        padding: u32,
-        needed: Needed,
     ) {
+        let Search { kernel, records, padding, needed } = search;
         let inverse_square = kernel.inverse_square;
         let job = FindNeighbours { near: self, inverse_square, records, chunk, first, places, padding };
         let end = T::dispatch(kernel.level, job);

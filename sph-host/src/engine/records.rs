@@ -122,6 +122,7 @@ fn seen<R: Copy, const D: usize>([x, v, gradient, shift]: [[R; 4]; 4]) -> Seen<R
 }
 
 #[inline(always)]
+#[expect(clippy::manual_memcpy, reason = "a loop keeps registers in registers")]
 fn vector<R: Copy, const D: usize>(four: &[R; 4]) -> [R; D] {
     let mut vector = [four[0]; D];
     for axis in 1..D {

@@ -6,7 +6,7 @@ use rayon::prelude::*;
 use sph_core::fluid::wcsph::{ForceSums, Forces, Pair, RateSums, Scheme, Seen, Summation, WallSums};
 use sph_core::{Error, Lane};
 
-use super::neighbourhoods::{Blocks, Needed, Neighbourhoods, SimdKernel};
+use super::neighbourhoods::{Blocks, Needed, Neighbourhoods, Search, SimdKernel};
 use super::records::{ParticleRecords, record};
 use super::verlet_lists::{LIST_CHUNK, ListChunk, VerletLists};
 use crate::fast::{InstructionSet, Isa, Job, Real};
@@ -91,21 +91,14 @@ impl<T: Real, const D: usize> SimdSummation<T, D> {
         place: impl Fn(usize) -> usize + Sync,
         sum: impl Fn(&Neighbourhoods<T, D>, Range<usize>, &mut [U]) + Sync,
     ) {
-        let padding = self.rows.padding;
+        let search =
+            Search { kernel: &self.kernel, records: &self.records, padding: self.rows.padding, needed };
         let work = chunks.par_iter().zip(out.par_chunks_mut(LIST_CHUNK)).enumerate();
         work.for_each_init(Neighbourhoods::default, |near, (number, (chunk, out))| {
             for (group, out) in out.chunks_mut(GROUP).enumerate() {
                 let first = group * GROUP;
                 let range = number * LIST_CHUNK + first..number * LIST_CHUNK + first + out.len();
-                near.find_neighbours(
-                    &self.kernel,
-                    &self.records,
-                    chunk,
-                    first,
-                    range.clone().map(&place),
-                    padding,
-                    needed,
-                );
+                near.find_neighbours(search, chunk, first, range.clone().map(&place));
                 sum(near, range, out);
             }
         });

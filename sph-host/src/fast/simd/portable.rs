@@ -34,11 +34,12 @@ macro_rules! operator {
             type Output = Self;
 
             #[inline(always)]
-            fn $method(mut self, other: Self) -> Self {
+            fn $method(self, other: Self) -> Self {
+                let mut result = self;
                 for k in 0..WIDTH {
-                    self.0[k] = self.0[k] $operator other.0[k];
+                    result.0[k] = self.0[k] $operator other.0[k];
                 }
-                self
+                result
             }
         }
     };

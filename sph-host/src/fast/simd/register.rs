@@ -127,12 +127,12 @@ macro_rules! register {
 
             #[inline(always)]
             fn add_to(self, sum: &mut Self) {
-                *sum = *sum + self;
+                *sum += self;
             }
 
             #[inline(always)]
             fn join(sum: &mut Self, other: Self) {
-                *sum = *sum + other;
+                *sum += other;
             }
 
             #[inline(always)]

@@ -4,7 +4,7 @@ use sph_core::Arithmetic;
 
 /// Numbers of every kind that comparisons and signs treat in their own way.
 fn numbers<T: Real>() -> ([T; BLOCK], [T; BLOCK]) {
-    let nan = T::ZERO / T::ZERO;
+    let nan = T::from_f64(f64::NAN);
     let a = [1.5, -2.25, 0.0, -0.0, 7.0, 0.1, -0.3, 1e-3, 12.0, 5.0, -1.0, 3.0, 0.7, -0.0, 2.0, 1.0 / 3.0];
     let b = [1.5, 3.0, -0.0, 0.0, -7.0, 0.2, 0.4, -0.1, 0.0, 9.0, 6.0, 0.3, 0.7, 1.0, 0.6, 0.9];
     let (mut a, mut b) = (a.map(T::from_f64), b.map(T::from_f64));
@@ -72,7 +72,10 @@ impl<T: Real> Job<T> for Everything {
         columns.push(packed);
         columns.push(vec![I::total_of_parts(sums)]);
         // one pattern for whatever is not a number: its sign and payload are not the same everywhere
-        let bits = columns.iter().flatten().map(|x| if x == x { x.to_f64().to_bits() } else { u64::MAX });
+        let bits = columns
+            .iter()
+            .flatten()
+            .map(|x| if x.to_f64().is_nan() { u64::MAX } else { x.to_f64().to_bits() });
         let rest = packed_places.into_iter().chain([mask]).map(u64::from);
         bits.chain(rest).collect()
     }
