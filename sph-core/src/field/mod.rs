@@ -22,6 +22,7 @@
 
 mod corrected;
 mod density;
+mod estimate;
 mod gradient;
 mod interpolate;
 mod jacobian;
@@ -29,11 +30,17 @@ mod laplacian;
 mod matrix;
 mod quantity;
 mod shepard;
+mod summand;
 
-pub use corrected::{LinearBasis, LinearFit};
+pub use corrected::{Corrected, LinearBasis, LinearFit};
 pub use density::volumes;
+pub use estimate::{Estimate, Reads, SumOf, Term};
+pub use gradient::{PlainGradient, PlainWithGradient};
+pub use interpolate::Plain;
 pub use jacobian::{curl, curl_2d, divergence};
 pub use quantity::Quantity;
+pub use shepard::{Shepard, ShepardWithGradient};
+pub use summand::Summand;
 
 use crate::samples::check_length;
 use crate::{Error, Neighbours, Parameter, PerSample, Scalar, Sources};
