@@ -15,6 +15,9 @@ pub trait Lane<T>: Arithmetic {
     /// Adds a term.
     fn add_to(self, sum: &mut Self::Sum);
 
+    /// Adds other sums, one for each scalar.
+    fn join(sum: &mut Self::Sum, other: Self::Sum);
+
     /// The sum of all terms of all pairs.
     fn total(sum: Self::Sum) -> T;
 
@@ -34,6 +37,11 @@ impl<T: Scalar> Lane<T> for T {
     #[inline(always)]
     fn add_to(self, sum: &mut T::Sum) {
         sum.add(self);
+    }
+
+    #[inline(always)]
+    fn join(sum: &mut T::Sum, other: T::Sum) {
+        sum.add(other.total());
     }
 
     #[inline(always)]
@@ -82,6 +90,14 @@ pub(crate) fn scale<A: Arithmetic, const D: usize>(x: &[A; D], s: A) -> [A; D] {
 pub(crate) fn add_vector<T, A: Lane<T>, const D: usize>(sum: &mut [A::Sum; D], x: &[A; D], weight: A) {
     for axis in 0..D {
         (x[axis] * weight).add_to(&mut sum[axis]);
+    }
+}
+
+/// Adds other sums, axis by axis.
+#[inline(always)]
+pub(crate) fn join_vector<T, A: Lane<T>, const D: usize>(sum: &mut [A::Sum; D], other: &[A::Sum; D]) {
+    for axis in 0..D {
+        A::join(&mut sum[axis], other[axis]);
     }
 }
 

@@ -4,10 +4,11 @@ use std::marker::PhantomData;
 use std::ops::Range;
 
 use sph_core::vector::norm_squared;
+use sph_core::{Arithmetic, Lane};
 
-use super::records::{ParticleRecords, Wide};
+use super::records::ParticleRecords;
 use super::verlet_lists::ListChunk;
-use crate::fast::{BLOCK, Evaluate, InstructionSet, Isa, Job, Lanes, Real, reserve, sixteen_mut};
+use crate::fast::{BLOCK, Evaluate, InstructionSet, Isa, Job, Real, Register, reserve, sixteen_mut};
 use crate::kernel_choice::{KernelName, with_kernel};
 
 /// The kernel of a run.
@@ -106,21 +107,43 @@ impl<T: Real, const D: usize> Neighbourhoods<T, D> {
         }
     }
 
-    /// The records of block number `block`, their offsets, and a list's numbers about them.
+    /// Some blocks, with a list's numbers about them.
     #[inline(always)]
-    pub(super) fn block(&self, block: usize, list: &[T]) -> (&[u32; BLOCK], [Wide<T>; D], Wide<T>) {
-        let offsets = std::array::from_fn(
-            #[inline(always)]
-            |axis| wide(&self.offsets[axis], block),
-        );
-        (&self.places.as_chunks::<BLOCK>().0[block], offsets, wide(list, block))
+    pub(super) fn blocks<'a>(&'a self, span: &Range<usize>, list: &'a [T]) -> Blocks<'a, T, D> {
+        let numbers = &list.as_chunks().0[span.clone()];
+        let mut offsets = [numbers; D];
+        for axis in 0..D {
+            offsets[axis] = &self.offsets[axis].as_chunks().0[span.clone()];
+        }
+        Blocks { places: &self.places.as_chunks().0[span.clone()], offsets, numbers }
     }
 }
 
-/// Block number `block` of a list.
-#[inline(always)]
-fn wide<T: Real>(list: &[T], block: usize) -> Wide<T> {
-    Lanes(list.as_chunks::<BLOCK>().0[block])
+/// The neighbours of one particle in blocks.
+pub(super) struct Blocks<'a, T, const D: usize> {
+    places: &'a [[u32; BLOCK]],
+    offsets: [&'a [[T; BLOCK]]; D],
+    numbers: &'a [[T; BLOCK]],
+}
+
+impl<'a, T: Real, const D: usize> Blocks<'a, T, D> {
+    /// How many blocks there are.
+    #[inline(always)]
+    pub(super) fn len(&self) -> usize {
+        self.places.len()
+    }
+
+    /// Of one part of a block the records, the offsets, and the list's numbers.
+    #[inline(always)]
+    pub(super) fn part<I: Isa<T>>(&self, block: usize, part: usize) -> (&'a [u32], [I::Reg; D], I::Reg) {
+        let (first, width) = (part * I::Reg::WIDTH, I::Reg::WIDTH);
+        let mut offsets = [I::Reg::ZERO; D];
+        for axis in 0..D {
+            offsets[axis] = I::Reg::load_at(&self.offsets[axis][block], first);
+        }
+        let numbers = I::Reg::load_at(&self.numbers[block], first);
+        (&self.places[block][first..first + width], offsets, numbers)
+    }
 }
 
 /// Finds who is near.
@@ -141,28 +164,38 @@ impl<T: Real, P: Iterator<Item = usize>, const D: usize> Job<T> for FindNeighbou
     #[inline(always)]
     fn run<I: Isa<T>>(self, isa: I) -> usize {
         let Self { near, inverse_square, records, chunk, first, places, padding } = self;
+        let inverse_square = I::Reg::splat(inverse_square);
+        let width = I::Reg::WIDTH;
         near.spans.clear();
         let mut end = 0;
         for (k, place) in places.enumerate() {
-            let x: [Wide<T>; D] = records.position(place);
+            let x: [I::Reg; D] = records.position(place);
             let mut spans = [0..0, 0..0];
             for (span, row) in spans.iter_mut().zip(chunk.row(first + k)) {
                 let start = end;
-                near.reserve(end + (row.len() + 1) * BLOCK);
+                let room = end + (row.len() + 1) * BLOCK;
+                near.reserve(room);
+                let (squares, found) = (&mut near.squares[..room], &mut near.places[..room]);
+                let offsets = near.offsets.each_mut();
                 for block in row {
-                    let other: [Wide<T>; D] = records.positions(isa, block);
-                    let mut offset = x;
-                    for axis in 0..D {
-                        offset[axis] -= other[axis];
+                    for part in 0..I::PARTS {
+                        let candidates = &block[part * width..(part + 1) * width];
+                        let other: [I::Reg; D] = records.positions(isa, candidates);
+                        let mut offset = x;
+                        for axis in 0..D {
+                            offset[axis] -= other[axis];
+                        }
+                        let square = norm_squared(&offset) * inverse_square;
+                        let mask = isa.less_than_mask(square, I::Reg::ONE);
+                        // what `end` cannot exceed: said for the compiler, so that one check is enough for all lists
+                        let at = end.min(room - width);
+                        for axis in 0..D {
+                            isa.pack(mask, offset[axis], &mut offsets[axis][..room][at..at + width]);
+                        }
+                        isa.pack(mask, square, &mut squares[at..at + width]);
+                        isa.pack_places(mask, candidates, &mut found[at..at + width]);
+                        end += mask.count_ones() as usize;
                     }
-                    let square = norm_squared(&offset) * Lanes::splat(inverse_square);
-                    let mask = isa.below(&square.0, &[T::ONE; BLOCK]);
-                    for axis in 0..D {
-                        isa.pack(mask, &offset[axis].0, sixteen_mut(&mut near.offsets[axis], end));
-                    }
-                    isa.pack(mask, &square.0, sixteen_mut(&mut near.squares, end));
-                    isa.pack_places(mask, block, sixteen_mut(&mut near.places, end));
-                    end += mask.count_ones() as usize;
                 }
                 near.fill_up(end, padding);
                 end = end.next_multiple_of(BLOCK);

@@ -1,13 +1,9 @@
 //! Particles as sums read them: all that is known of one side by side, its place apart from it.
 
-use std::hint::black_box;
-
+use sph_core::Arithmetic;
 use sph_core::fluid::wcsph::Seen;
 
-use crate::fast::{BLOCK, Isa, Lanes, Real};
-
-/// Sixteen numbers of as many particles.
-pub(super) type Wide<T> = Lanes<T>;
+use crate::fast::{Isa, Real, Register};
 
 /// Four numbers: a vector of up to three components, and a number.
 type Four<T> = [T; 4];
@@ -58,91 +54,78 @@ impl<T: Real> ParticleRecords<T> {
         self.places[k].iter_mut().zip(shift).for_each(|(x, &shift)| *x += shift);
     }
 
-    /// The position of particle k, sixteen times.
+    /// The position of particle k in every column.
     #[inline(always)]
-    pub(super) fn position<const D: usize>(&self, k: usize) -> [Wide<T>; D] {
-        vector(&sixteen_times(self.places[k]))
+    pub(super) fn position<R: Register<T>, const D: usize>(&self, k: usize) -> [R; D] {
+        vector(&splat(self.places[k]))
     }
 
-    /// Particle k as it is seen, sixteen times.
+    /// Particle k as it is seen, in every column.
     #[inline(always)]
-    pub(super) fn seen<const D: usize>(&self, k: usize) -> Seen<Wide<T>, D> {
-        let [v, gradient, drift] = self.states[k];
-        seen([self.places[k], v, gradient, drift].map(
+    pub(super) fn seen<R: Register<T>, const D: usize>(&self, k: usize) -> Seen<R, D> {
+        let [v, gradient, shift] = self.states[k];
+        seen([splat(self.places[k]), splat(v), splat(gradient), splat(shift)])
+    }
+
+    /// The positions of a register of particles.
+    #[inline(always)]
+    pub(super) fn positions<I: Isa<T>, const D: usize>(&self, isa: I, records: &[u32]) -> [I::Reg; D] {
+        vector(&isa.transpose(
             #[inline(always)]
-            |four| sixteen_times(four),
+            |k| &self.places[records[k] as usize],
         ))
     }
 
-    /// The positions of sixteen particles.
-    #[inline(always)]
-    pub(super) fn positions<I: Isa<T>, const D: usize>(&self, isa: I, block: &[u32; BLOCK]) -> [Wide<T>; D] {
-        vector(&black_box(isa.turn(&at(&self.places, block))))
-    }
-
-    /// Sixteen particles as they are seen, of which these fours will be looked at: x p, v ρ, ∇ρ V, δv p/ρ².
-    ///
-    /// What is read is hidden from the compiler: it would take the vectors apart to put others together.
+    /// A register of particles as they are seen, of which these fours will be read: x p, v ρ, ∇ρ V, δv p/ρ². The others are zero.
     #[inline(always)]
     pub(super) fn seen_at<I: Isa<T>, const D: usize>(
         &self,
         isa: I,
-        block: &[u32; BLOCK],
+        records: &[u32],
         wanted: [bool; 4],
-    ) -> Seen<Wide<T>, D> {
-        let unread = [[T::ZERO; BLOCK]; 4];
-        let mut fours = [unread; 4];
+    ) -> Seen<I::Reg, D> {
+        let mut fours = [[I::Reg::ZERO; 4]; 4];
         if wanted[0] {
-            fours[0] = black_box(isa.turn(&at(&self.places, block)));
+            fours[0] = isa.transpose(
+                #[inline(always)]
+                |k| &self.places[records[k] as usize],
+            );
         }
-        let states = at(&self.states, block);
         for number in 0..3 {
             if wanted[1 + number] {
-                let mut of_states = [&states[0][number]; BLOCK];
-                for k in 1..BLOCK {
-                    of_states[k] = &states[k][number];
-                }
-                fours[1 + number] = black_box(isa.turn(&of_states));
+                fours[1 + number] = isa.transpose(
+                    #[inline(always)]
+                    |k| &self.states[records[k] as usize][number],
+                );
             }
         }
         seen(fours)
     }
 }
 
-/// The sixteen of these that a block names.
 #[inline(always)]
-fn at<'a, U>(all: &'a [U], block: &[u32; BLOCK]) -> [&'a U; BLOCK] {
-    let mut found = [&all[block[0] as usize]; BLOCK];
-    for k in 1..BLOCK {
-        found[k] = &all[block[k] as usize];
-    }
-    found
-}
-
-/// Hidden from the compiler as well, for the same reason.
-#[inline(always)]
-fn sixteen_times<T: Real>([a, b, c, d]: Four<T>) -> [[T; BLOCK]; 4] {
-    black_box([[a; BLOCK], [b; BLOCK], [c; BLOCK], [d; BLOCK]])
+fn splat<T: Real, R: Register<T>>([a, b, c, d]: Four<T>) -> [R; 4] {
+    [R::splat(a), R::splat(b), R::splat(c), R::splat(d)]
 }
 
 #[inline(always)]
-fn seen<T: Real, const D: usize>([x, v, gradient, drift]: [[[T; BLOCK]; 4]; 4]) -> Seen<Wide<T>, D> {
+fn seen<R: Copy, const D: usize>([x, v, gradient, shift]: [[R; 4]; 4]) -> Seen<R, D> {
     Seen {
         velocity: vector(&v),
-        density: Lanes(v[3]),
-        pressure: Lanes(x[3]),
-        volume: Lanes(gradient[3]),
-        pressure_term: Lanes(drift[3]),
+        density: v[3],
+        pressure: x[3],
+        volume: gradient[3],
+        pressure_term: shift[3],
         density_gradient: vector(&gradient),
-        shift_velocity: vector(&drift),
+        shift_velocity: vector(&shift),
     }
 }
 
 #[inline(always)]
-fn vector<T: Real, const D: usize>(four: &[[T; BLOCK]; 4]) -> [Wide<T>; D] {
-    let mut vector = [Lanes(four[0]); D];
+fn vector<R: Copy, const D: usize>(four: &[R; 4]) -> [R; D] {
+    let mut vector = [four[0]; D];
     for axis in 1..D {
-        vector[axis] = Lanes(four[axis]);
+        vector[axis] = four[axis];
     }
     vector
 }

@@ -3,13 +3,13 @@
 use std::ops::Range;
 
 use rayon::prelude::*;
-use sph_core::Error;
 use sph_core::fluid::wcsph::{ForceSums, Forces, Pair, RateSums, Scheme, Seen, Summation, WallSums};
+use sph_core::{Error, Lane};
 
-use super::neighbourhoods::{Neighbourhoods, SimdKernel};
-use super::records::{ParticleRecords, Wide, record};
+use super::neighbourhoods::{Blocks, Neighbourhoods, SimdKernel};
+use super::records::{ParticleRecords, record};
 use super::verlet_lists::{LIST_CHUNK, ListChunk, VerletLists};
-use crate::fast::{Isa, Job, Lanes, Real};
+use crate::fast::{Isa, Job, Real};
 use crate::kernel_choice::AnyInfluence;
 
 #[cfg(test)]
@@ -200,13 +200,16 @@ impl<T: Real, const D: usize> SumRates<'_, T, D> {
     fn add<I: Isa<T>, const FLUID: bool>(
         &self,
         isa: I,
-        own: &Seen<Wide<T>, D>,
-        blocks: &Range<usize>,
-        sums: &mut RateSums<T, Wide<T>>,
+        own: &Seen<I::Reg, D>,
+        span: &Range<usize>,
+        part: usize,
+        sums: &mut RateSums<T, I::Reg>,
     ) {
         let wanted = [false, FLUID, FLUID, !FLUID];
-        for block in blocks.clone() {
-            let (other, pair) = pair(isa, self.records, self.near, block, self.gradient_scale, wanted);
+        let blocks = self.near.blocks(span, &self.near.slopes);
+        let gradient_scale = I::Reg::splat(self.gradient_scale);
+        for block in 0..blocks.len() {
+            let (other, pair) = pair(isa, self.records, &blocks, block, part, gradient_scale, wanted);
             self.scheme.add_rate(sums, own, &other, &pair, FLUID);
         }
     }
@@ -219,9 +222,16 @@ impl<T: Real, const D: usize> Job<T> for SumRates<'_, T, D> {
     fn run<I: Isa<T>>(self, isa: I) {
         for (k, spans) in self.near.spans.iter().enumerate() {
             let own = self.records.seen(self.first + k);
-            let mut sums = RateSums::<T, Wide<T>>::EMPTY;
-            self.add::<I, true>(isa, &own, &spans[0], &mut sums);
-            self.add::<I, false>(isa, &own, &spans[1], &mut sums);
+            let mut parts = I::parts(RateSums::<T, I::Reg>::EMPTY);
+            for (part, sums) in parts.as_mut().iter_mut().enumerate() {
+                self.add::<I, true>(isa, &own, &spans[0], part, sums);
+                self.add::<I, false>(isa, &own, &spans[1], part, sums);
+            }
+            let sums = I::join_parts(
+                parts,
+                #[inline(always)]
+                |sums, other| sums.join(other),
+            );
             self.out[k] = self.scheme.total_rate(&self.seen[k], sums);
         }
     }
@@ -243,13 +253,16 @@ impl<T: Real, const D: usize> SumForces<'_, T, D> {
     fn add<I: Isa<T>, const FLUID: bool>(
         &self,
         isa: I,
-        own: &Seen<Wide<T>, D>,
-        blocks: &Range<usize>,
-        sums: &mut ForceSums<T, Wide<T>, D>,
+        own: &Seen<I::Reg, D>,
+        span: &Range<usize>,
+        part: usize,
+        sums: &mut ForceSums<T, I::Reg, D>,
     ) {
         let wanted = [false, true, true, true];
-        for block in blocks.clone() {
-            let (other, pair) = pair(isa, self.records, self.near, block, self.gradient_scale, wanted);
+        let blocks = self.near.blocks(span, &self.near.slopes);
+        let gradient_scale = I::Reg::splat(self.gradient_scale);
+        for block in 0..blocks.len() {
+            let (other, pair) = pair(isa, self.records, &blocks, block, part, gradient_scale, wanted);
             self.scheme.add_force(sums, own, &other, &pair, FLUID);
         }
     }
@@ -262,9 +275,16 @@ impl<T: Real, const D: usize> Job<T> for SumForces<'_, T, D> {
     fn run<I: Isa<T>>(self, isa: I) {
         for (k, spans) in self.near.spans.iter().enumerate() {
             let own = self.records.seen(self.first + k);
-            let mut sums = ForceSums::<T, Wide<T>, D>::EMPTY;
-            self.add::<I, true>(isa, &own, &spans[0], &mut sums);
-            self.add::<I, false>(isa, &own, &spans[1], &mut sums);
+            let mut parts = I::parts(ForceSums::<T, I::Reg, D>::EMPTY);
+            for (part, sums) in parts.as_mut().iter_mut().enumerate() {
+                self.add::<I, true>(isa, &own, &spans[0], part, sums);
+                self.add::<I, false>(isa, &own, &spans[1], part, sums);
+            }
+            let sums = I::join_parts(
+                parts,
+                #[inline(always)]
+                |sums, other| sums.join(other),
+            );
             self.out[k] = self.scheme.total_forces(sums);
         }
     }
@@ -285,28 +305,37 @@ impl<T: Real, const D: usize> Job<T> for SumWalls<'_, T, D> {
     fn run<I: Isa<T>>(self, isa: I) {
         let Self { scheme, records, near, out } = self;
         for (out, spans) in out.iter_mut().zip(&near.spans) {
-            let mut sums = WallSums::<T, Wide<T>, D>::EMPTY;
-            for block in spans[0].clone() {
-                let (places, offset, weight) = near.block(block, &near.profiles);
-                let other = records.seen_at(isa, places, [true, true, false, false]);
-                scheme.add_to_wall(&mut sums, &other, &offset, weight);
+            let blocks = near.blocks(&spans[0], &near.profiles);
+            let mut parts = I::parts(WallSums::<T, I::Reg, D>::EMPTY);
+            for (part, sums) in parts.as_mut().iter_mut().enumerate() {
+                for block in 0..blocks.len() {
+                    let (places, offset, weight) = blocks.part::<I>(block, part);
+                    let other = records.seen_at(isa, places, [true, true, false, false]);
+                    scheme.add_to_wall(sums, &other, &offset, weight);
+                }
             }
+            let sums = I::join_parts(
+                parts,
+                #[inline(always)]
+                |sums, other| sums.join(other),
+            );
             *out = scheme.total_wall(sums);
         }
     }
 }
 
-/// Sixteen neighbours, and from where the particle stands.
+/// A register of neighbours, and their offsets and slopes.
 #[inline(always)]
 fn pair<T: Real, I: Isa<T>, const D: usize>(
     isa: I,
     records: &ParticleRecords<T>,
-    near: &Neighbourhoods<T, D>,
+    blocks: &Blocks<T, D>,
     block: usize,
-    gradient_scale: T,
+    part: usize,
+    gradient_scale: I::Reg,
     wanted: [bool; 4],
-) -> (Seen<Wide<T>, D>, Pair<Wide<T>, D>) {
-    let (places, offset, slope) = near.block(block, &near.slopes);
+) -> (Seen<I::Reg, D>, Pair<I::Reg, D>) {
+    let (places, offset, slope) = blocks.part::<I>(block, part);
     let other = records.seen_at(isa, places, wanted);
-    (other, Pair { offset, slope: slope * Lanes::splat(gradient_scale) })
+    (other, Pair { offset, slope: slope * gradient_scale })
 }

@@ -1,11 +1,8 @@
 //! Candidates: runs of consecutive particles, sixteen at a time.
 
 use super::cells::BandLayout;
-use super::lanes::Lanes;
 use super::set::SortedCells;
-use sph_core::Arithmetic;
-
-use super::simd::{BLOCK, Real};
+use super::simd::{BLOCK, Real, Register};
 
 /// Sixteen consecutive particles, and a bit for each that counts.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -18,10 +15,11 @@ impl Block {
     /// The places of its particles.
     #[inline(always)]
     pub(super) fn places(self) -> [u32; BLOCK] {
-        std::array::from_fn(
-            #[inline(always)]
-            |k| self.first.wrapping_add(k as u32),
-        )
+        let mut places = [0; BLOCK];
+        for k in 0..BLOCK {
+            places[k] = self.first.wrapping_add(k as u32);
+        }
+        places
     }
 }
 
@@ -37,13 +35,7 @@ pub(crate) fn reserve<V: Clone + Default>(list: &mut Vec<V>, room: usize) {
     }
 }
 
-/// Sixteen numbers of a list from a place on, which must be there.
-#[inline(always)]
-pub(crate) fn sixteen<V>(list: &[V], first: usize) -> &[V; BLOCK] {
-    list[first..].first_chunk().expect("a block of padding")
-}
-
-/// As [`sixteen`], to be written.
+/// Sixteen numbers of a list from a place on, which must be there, to be written.
 #[inline(always)]
 pub(crate) fn sixteen_mut<V>(list: &mut [V], first: usize) -> &mut [V; BLOCK] {
     list[first..].first_chunk_mut().expect("a block of padding")
@@ -90,16 +82,16 @@ fn split(first: u32, size: u32, needed: usize, out: &mut [Block]) {
     out[needed.max(1) - 1].mask = 0xffff >> missing;
 }
 
-/// r² of sixteen particles, summed axis by axis; `distances` has the axis and the coordinates.
+/// r² of a register of particles from a place on, summed axis by axis; `distances` takes the axis and the coordinates.
 #[inline(always)]
-pub(super) fn squares<T: Real, const D: usize>(
+pub(super) fn squares<T: Real, R: Register<T>, const D: usize>(
     axes: &[&[T]; D],
     first: usize,
-    distances: impl Fn(usize, Lanes<T>) -> Lanes<T>,
-) -> Lanes<T> {
-    let mut sum = Lanes::ZERO;
+    distances: impl Fn(usize, R) -> R,
+) -> R {
+    let mut sum = R::ZERO;
     for axis in 0..D {
-        let d = distances(axis, Lanes(*sixteen(axes[axis], first)));
+        let d = distances(axis, R::load_at(axes[axis], first));
         sum = if axis == 0 { d * d } else { sum + d * d };
     }
     sum

@@ -1,9 +1,10 @@
 //! The particles in reach of a point, moved together: sixteen candidates at a time.
 
-use super::blocks::{Block, candidates, reserve, sixteen, sixteen_mut, squares};
-use super::lanes::Lanes;
+use sph_core::Lane;
+
+use super::blocks::{Block, candidates, reserve, sixteen_mut, squares};
 use super::set::SortedCells;
-use super::simd::{BLOCK, Isa, Job, Real};
+use super::simd::{BLOCK, Isa, Job, Real, Register};
 use super::sort::Sorted;
 
 /// What was found about some points. The lists are longer than what was found: the rest is left over.
@@ -70,9 +71,9 @@ impl<T: Real, const D: usize> Job<T> for Collect<'_, T, D> {
                 &x,
                 blocks,
                 #[inline(always)]
-                |block, r2| {
-                    isa.pack(block.mask, r2, sixteen_mut(squares, end));
-                    end += block.mask.count_ones() as usize;
+                |_, _, mask, r2| {
+                    isa.pack(mask, r2, &mut squares[end..end + I::Reg::WIDTH]);
+                    end += mask.count_ones() as usize;
                 },
             );
             spans.push(Span { start, count: end - start, blocks: last - first });
@@ -83,7 +84,8 @@ impl<T: Real, const D: usize> Job<T> for Collect<'_, T, D> {
     }
 }
 
-/// Leaves of the candidates those with r² < h² about x, and hands over each block with its squares. h is the cells' own, or each
+/// Leaves of the candidates those with r² < h² about x, and hands over the mask and the squares of each register of a block, with
+/// the block and where in it they begin. h is the cells' own, or each
 /// particle's where `own_limits` has their squares.
 #[inline(always)]
 fn near<T: Real, const D: usize, I: Isa<T>>(
@@ -92,16 +94,31 @@ fn near<T: Real, const D: usize, I: Isa<T>>(
     own_limits: Option<&[T]>,
     x: &[T; D],
     blocks: &mut [Block],
-    mut take: impl FnMut(&Block, &[T; BLOCK]),
+    mut take: impl FnMut(&Block, usize, u32, I::Reg),
 ) {
-    let limit = [cells.radius * cells.radius; BLOCK];
+    let limit = I::Reg::splat(cells.radius * cells.radius);
     let axes = cells.sorted.padded();
+    let x: [I::Reg; D] = I::splat_vector(x);
     for block in blocks {
-        let first = block.first as usize;
-        let squares = squares(&axes, first, |axis, y| Lanes::splat(x[axis]) - y);
-        let limit = own_limits.map_or(&limit, |limits| sixteen(limits, first));
-        block.mask &= isa.below(&squares.0, limit);
-        take(block, &squares.0);
+        let mut found = 0;
+        for part in 0..I::PARTS {
+            let shift = part * I::Reg::WIDTH;
+            let first = block.first as usize + shift;
+            let squares: I::Reg = squares(
+                &axes,
+                first,
+                #[inline(always)]
+                |axis, y| x[axis] - y,
+            );
+            let limit = match own_limits {
+                None => limit,
+                Some(limits) => I::Reg::load_at(limits, first),
+            };
+            let mask = (block.mask >> shift) & isa.less_than_mask(squares, limit);
+            found |= mask << shift;
+            take(block, shift, mask, squares);
+        }
+        block.mask = found;
     }
 }
 
@@ -125,9 +142,9 @@ pub(crate) fn list_places<T: Real, const D: usize, I: Isa<T>>(
         x,
         &mut blocks[..count],
         #[inline(always)]
-        |block, _| {
-            isa.pack_places(block.mask, &block.places(), sixteen_mut(places, end));
-            end += block.mask.count_ones() as usize;
+        |block, shift, mask, _| {
+            isa.pack_places(mask, &block.places()[shift..], &mut places[end..end + I::Reg::WIDTH]);
+            end += mask.count_ones() as usize;
         },
     );
     end
@@ -160,11 +177,15 @@ impl<T: Real, const C: usize> Job<T> for Pick<'_, T, C> {
             blocks = rest;
             let mut end = span.start;
             for block in own {
-                for column in 0..C {
-                    let values = sixteen(columns[column], block.first as usize);
-                    isa.pack(block.mask, values, sixteen_mut(out[column], end));
+                for part in 0..I::PARTS {
+                    let shift = part * I::Reg::WIDTH;
+                    let mask = (block.mask >> shift) & I::ALL;
+                    for column in 0..C {
+                        let values = I::Reg::load_at(columns[column], block.first as usize + shift);
+                        isa.pack(mask, values, &mut out[column][end..end + I::Reg::WIDTH]);
+                    }
+                    end += mask.count_ones() as usize;
                 }
-                end += block.mask.count_ones() as usize;
             }
             for out in &mut out {
                 *sixteen_mut(out, end) = [T::ZERO; BLOCK];

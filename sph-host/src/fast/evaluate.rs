@@ -1,17 +1,11 @@
-//! Kernels, number by number in loops that the compiler turns into vectors.
+//! Kernels, a register at a time.
 
 use std::marker::PhantomData;
 
-use sph_core::Arithmetic;
 use sph_core::kernel::Kernel;
+use sph_core::{Arithmetic, Lane};
 
-use super::simd::{BLOCK, Isa, Job, Real};
-
-/// q = √s, held at 1, beyond which every kernel is zero.
-#[inline(always)]
-fn root<T: Real>(s: T) -> T {
-    (if s < T::ONE { s } else { T::ONE }).root()
-}
+use super::simd::{Isa, Job, Real, Register};
 
 /// f(q) in D dimensions.
 #[inline(always)]
@@ -19,22 +13,22 @@ pub(super) fn profile<T: Arithmetic, K: Kernel, const D: usize>(q: T) -> T {
     if D == 1 { K::profile_in_1d(q) } else { K::profile(q) }
 }
 
-/// f′(q) / q in D dimensions; what that is at q = 0 matters to nobody, since it is multiplied with x = 0.
+/// f′(q) / q in D dimensions. At q = 0 it is some finite number: it is multiplied with x = 0 there.
 #[inline(always)]
-fn slope<T: Real, K: Kernel, const D: usize>(q: T) -> T {
+fn slope<T: Real, R: Register<T>, K: Kernel, const D: usize>(q: R) -> R {
     let slope = if D == 1 { K::slope_in_1d(q) } else { K::slope(q) };
-    slope / if q > T::SMALL { q } else { T::SMALL }
+    slope / q.max(R::splat(T::SMALL))
 }
 
 /// f(q) and f′(q) / q for many particles.
 pub(crate) struct Evaluate<'a, T, K, const D: usize> {
-    /// r²
+    /// r², in whole blocks.
     pub(crate) squares: &'a [T],
     /// 1 / h
     pub(crate) inverse: T,
     /// 1 / h_j, where each has its own.
     pub(crate) inverses: Option<&'a [T]>,
-    /// Overwritten: f(q).
+    /// Overwritten: f(q); empty where values are not wanted.
     pub(crate) profiles: &'a mut [T],
     /// Overwritten: f′(q) / q; empty where gradients are not wanted.
     pub(crate) slopes: &'a mut [T],
@@ -46,42 +40,30 @@ impl<T: Real, K: Kernel, const D: usize> Job<T> for Evaluate<'_, T, K, D> {
 
     #[inline(always)]
     fn run<I: Isa<T>>(self, _: I) {
-        let uniform = self.inverse * self.inverse;
-        let squares = self.squares.iter().zip(self.profiles.iter_mut());
-        match self.inverses {
-            None => squares.for_each(
-                #[inline(always)]
-                |(&square, q)| *q = root(square * uniform),
-            ),
-            Some(inverses) => squares.zip(inverses).for_each(
-                #[inline(always)]
-                |((&square, q), &inverse)| *q = root(square * (inverse * inverse)),
-            ),
-        }
-        for (&q, out) in self.profiles.iter().zip(self.slopes) {
-            *out = slope::<T, K, D>(q);
-        }
-        for q in self.profiles {
-            *q = profile::<T, K, D>(*q);
+        let Self { squares, inverses, profiles, slopes, .. } = self;
+        let uniform = I::Reg::splat(self.inverse * self.inverse);
+        let width = I::Reg::WIDTH;
+        let count = squares.len();
+        let (with_profiles, with_slopes) = (!profiles.is_empty(), !slopes.is_empty());
+        let profiles = if with_profiles { &mut profiles[..count] } else { profiles };
+        let slopes = if with_slopes { &mut slopes[..count] } else { slopes };
+        for first in (0..count).step_by(width) {
+            let square = I::Reg::load_at(squares, first);
+            let scale = match inverses {
+                None => uniform,
+                Some(inverses) => {
+                    let inverse = I::Reg::load_at(inverses, first);
+                    inverse * inverse
+                }
+            };
+            // held at 1, beyond which every kernel is zero
+            let q = (square * scale).min(I::Reg::ONE).root();
+            if with_slopes {
+                slope::<T, I::Reg, K, D>(q).store(&mut slopes[first..first + width]);
+            }
+            if with_profiles {
+                profile::<I::Reg, K, D>(q).store(&mut profiles[first..first + width]);
+            }
         }
     }
-}
-
-/// The sum of each sixteen columns. Not inlined: a sum within sight lets the compiler narrow the vectors that lead to it.
-#[inline(never)]
-pub(super) fn totals<T: Real, const M: usize>(columns: &[[T; BLOCK]; M]) -> [T; M] {
-    columns.map(total)
-}
-
-/// The sum of sixteen columns, halves first, whatever the width of a vector, so that every instruction set gives the same bits.
-#[inline(always)]
-pub(super) fn total<T: Real>(mut columns: [T; BLOCK]) -> T {
-    let mut half = BLOCK / 2;
-    while half > 0 {
-        for k in 0..half {
-            columns[k] += columns[k + half];
-        }
-        half /= 2;
-    }
-    columns[0]
 }

@@ -3,12 +3,12 @@
 use std::ops::Range;
 
 use rayon::prelude::*;
+use sph_core::Lane;
 
-use super::blocks::{reserve, sixteen_mut, squares};
-use super::lanes::Lanes;
+use super::blocks::{reserve, squares};
 use super::set::SortedCells;
 use super::shared_neighbourhood::SharedNeighbourhood;
-use super::simd::{BLOCK, Isa, Job, Real};
+use super::simd::{BLOCK, Isa, Job, Real, Register};
 
 /// Particles whose lists are in one piece of memory.
 const CHUNK: usize = 2048;
@@ -92,7 +92,8 @@ impl<T: Real, const D: usize> Job<T> for Lists<'_, T, D> {
     #[inline(always)]
     fn run<I: Isa<T>>(self, isa: I) {
         let Self { cells, particles, around, chunk: Chunk { ends, places: out } } = self;
-        let limit = [cells.radius * cells.radius; BLOCK];
+        let limit = I::Reg::splat(cells.radius * cells.radius);
+        let width = I::Reg::WIDTH;
         ends.clear();
         let (mut rest, mut end) = (particles, 0);
         while !rest.is_empty() {
@@ -101,11 +102,16 @@ impl<T: Real, const D: usize> Job<T> for Lists<'_, T, D> {
             let (axes, places) = around.padded();
             reserve(out, end + group.len() * places.len() + BLOCK);
             for place in group.clone() {
-                let x = cells.sorted.position(place);
-                for (block, places) in places.as_chunks::<BLOCK>().0.iter().enumerate() {
-                    let squares = squares(&axes, block * BLOCK, |axis, y| Lanes::splat(x[axis]) - y);
-                    let mask = isa.below(&squares.0, &limit);
-                    isa.pack_places(mask, places, sixteen_mut(out, end));
+                let x: [I::Reg; D] = I::splat_vector(&cells.sorted.position(place));
+                for (number, places) in places.chunks_exact(width).enumerate() {
+                    let squares: I::Reg = squares(
+                        &axes,
+                        number * width,
+                        #[inline(always)]
+                        |axis, y| x[axis] - y,
+                    );
+                    let mask = isa.less_than_mask(squares, limit);
+                    isa.pack_places(mask, places, &mut out[end..end + width]);
                     end += mask.count_ones() as usize;
                 }
                 ends.push(end);

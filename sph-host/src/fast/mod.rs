@@ -13,7 +13,6 @@ mod collect;
 mod density;
 mod evaluate;
 mod fields;
-mod lanes;
 mod lists;
 mod pairs;
 mod radius_octaves;
@@ -26,8 +25,7 @@ mod sums;
 pub(crate) use blocks::{Block, reserve, sixteen_mut};
 pub(crate) use collect::list_places;
 pub(crate) use evaluate::Evaluate;
-pub(crate) use lanes::Lanes;
-pub(crate) use simd::{BLOCK, Isa, Job};
+pub(crate) use simd::{BLOCK, Isa, Job, Register};
 
 pub use fields::{Fields, Sums};
 pub use lists::NeighbourLists;

@@ -3,15 +3,14 @@
 use std::marker::PhantomData;
 use std::ops::Range;
 
-use sph_core::Arithmetic;
 use sph_core::kernel::Kernel;
+use sph_core::{Arithmetic, Lane};
 
-use super::blocks::{reserve, sixteen, squares};
-use super::evaluate::{profile, totals};
-use super::lanes::Lanes;
+use super::blocks::{reserve, squares};
+use super::evaluate::profile;
 use super::set::SortedCells;
 use super::shared_neighbourhood::{GROUP, SharedNeighbourhood};
-use super::simd::{BLOCK, Isa, Job, Real};
+use super::simd::{BLOCK, Isa, Job, Real, Register};
 
 /// Copies what is in reach of a group and comes no earlier than it.
 pub(super) struct Gather<'a, T, const D: usize> {
@@ -59,13 +58,13 @@ impl<T: Real, K: Kernel, const D: usize> Job<T> for Pairs<'_, T, K, D> {
 
     #[inline(always)]
     fn run<I: Isa<T>>(self, _: I) {
-        if self.masses.is_some() { self.all::<true>() } else { self.all::<false>() }
+        if self.masses.is_some() { self.all::<I, true>() } else { self.all::<I, false>() }
     }
 }
 
 impl<T: Real, K: Kernel, const D: usize> Pairs<'_, T, K, D> {
     #[inline(always)]
-    fn all<const MASSES: bool>(self) {
+    fn all<I: Isa<T>, const MASSES: bool>(self) {
         let PairScratch { around, masses, sums } = self.scratch;
         let (axes, places) = around.padded();
         let length = places.len();
@@ -80,27 +79,41 @@ impl<T: Real, K: Kernel, const D: usize> Pairs<'_, T, K, D> {
         }
         sums.fill(T::ZERO);
         let inverse = T::ONE / self.cells.radius;
-        let inverse_square = Lanes::splat(inverse * inverse);
-        let mut own = [[T::ZERO; BLOCK]; GROUP];
+        let inverse_square = I::Reg::splat(inverse * inverse);
+        let width = I::Reg::WIDTH;
+        let mut own = [T::ZERO; GROUP];
         for (i, own) in own.iter_mut().enumerate().take(self.group.len()) {
-            let x = axes.map(|axis| Lanes::splat(axis[i]));
-            let mass = Lanes::splat(masses[i]);
-            let mut columns = Lanes::ZERO;
+            let mut x = [I::Reg::ZERO; D];
+            for axis in 0..D {
+                x[axis] = I::Reg::splat(axes[axis][i]);
+            }
+            let mass = I::Reg::splat(masses[i]);
+            let mut columns = I::parts(I::Reg::ZERO);
             for (block, sums) in sums.as_chunks_mut::<BLOCK>().0.iter_mut().enumerate() {
-                let squares = squares(&axes, block * BLOCK, |axis, y| x[axis] - y);
-                let q = (squares * inverse_square).min(Lanes::ONE).root();
-                let f = profile::<_, K, D>(q);
-                if MASSES {
-                    columns += Lanes(*sixteen(masses, block * BLOCK)) * f;
-                    *sums = (Lanes(*sums) + mass * f).0;
-                } else {
-                    columns += f;
-                    *sums = (Lanes(*sums) + f).0;
+                for part in 0..I::PARTS {
+                    let first = block * BLOCK + part * width;
+                    let squares: I::Reg = squares(
+                        &axes,
+                        first,
+                        #[inline(always)]
+                        |axis, y| x[axis] - y,
+                    );
+                    let q = (squares * inverse_square).min(I::Reg::ONE).root();
+                    let f = profile::<_, K, D>(q);
+                    let sums = &mut sums[part * width..];
+                    let (column, sum) = (&mut columns.as_mut()[part], I::Reg::load(sums));
+                    if MASSES {
+                        *column += I::Reg::load_at(masses, first) * f;
+                        (sum + mass * f).store(sums);
+                    } else {
+                        *column += f;
+                        (sum + f).store(sums);
+                    }
                 }
             }
-            *own = columns.0;
+            *own = I::total_of_parts(columns);
         }
-        for (sum, own) in sums.iter_mut().zip(totals(&own)).take(self.group.len()) {
+        for (sum, own) in sums.iter_mut().zip(own).take(self.group.len()) {
             *sum = own;
         }
     }

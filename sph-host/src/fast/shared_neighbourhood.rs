@@ -2,10 +2,11 @@
 
 use std::ops::Range;
 
-use super::blocks::{Block, candidates, reserve, sixteen, sixteen_mut, squares};
-use super::lanes::Lanes;
+use sph_core::Lane;
+
+use super::blocks::{Block, candidates, reserve, sixteen_mut, squares};
 use super::set::SortedCells;
-use super::simd::{BLOCK, Isa, Real};
+use super::simd::{BLOCK, Isa, Real, Register};
 
 /// Particles that share a search: with more, fewer of those that are near one of them are near another.
 pub(super) const GROUP: usize = 12;
@@ -62,20 +63,29 @@ impl<T: Real, const D: usize> SharedNeighbourhood<T, D> {
             &mut axis[..room]
         });
         let places = &mut self.places[..room];
-        let limit = [cells.radius * cells.radius; BLOCK];
+        let (lower, upper): ([I::Reg; D], [I::Reg; D]) = (I::splat_vector(&lower), I::splat_vector(&upper));
+        let limit = I::Reg::splat(cells.radius * cells.radius);
+        let width = I::Reg::WIDTH;
         let mut end = 0;
         for block in &self.blocks[..blocks] {
-            let first = block.first as usize;
-            // rounding keeps the order: nobody is further from the box than from a particle in it
-            let squares = squares(&axes, first, |axis, x| {
-                x - x.max(Lanes::splat(lower[axis])).min(Lanes::splat(upper[axis]))
-            });
-            let mask = block.mask & isa.below(&squares.0, &limit);
-            for axis in 0..D {
-                isa.pack(mask, sixteen(axes[axis], first), sixteen_mut(coordinates[axis], end));
+            let all = block.places();
+            for part in 0..I::PARTS {
+                let first = block.first as usize + part * width;
+                // rounding keeps the order: no particle is further from the box than from a particle in the box
+                let squares: I::Reg = squares(
+                    &axes,
+                    first,
+                    #[inline(always)]
+                    |axis, x: I::Reg| x - x.max(lower[axis]).min(upper[axis]),
+                );
+                let mask = (block.mask >> (part * width)) & isa.less_than_mask(squares, limit);
+                for axis in 0..D {
+                    let values = I::Reg::load_at(axes[axis], first);
+                    isa.pack(mask, values, &mut coordinates[axis][end..end + width]);
+                }
+                isa.pack_places(mask, &all[part * width..], &mut places[end..end + width]);
+                end += mask.count_ones() as usize;
             }
-            isa.pack_places(mask, &block.places(), sixteen_mut(places, end));
-            end += mask.count_ones() as usize;
         }
         for axis in &mut coordinates {
             *sixteen_mut(axis, end) = [T::MAX; BLOCK];

@@ -3,13 +3,14 @@
 use std::marker::PhantomData;
 use std::ops::Range;
 
+use sph_core::Arithmetic;
 use sph_core::kernel::Kernel;
 
 use super::blocks::reserve;
 use super::collect::{Collect, Found, Pick};
-use super::evaluate::{Evaluate, totals};
+use super::evaluate::Evaluate;
 use super::fields::Part;
-use super::simd::{BLOCK, Isa, Job, Real};
+use super::simd::{Isa, Job, Real, Register};
 use super::sort::Sorted;
 
 /// Memory that is used again: a number for each particle found, for all points of a group.
@@ -114,10 +115,10 @@ impl<T: Real, const D: usize> Job<T> for SumUp<'_, T, D> {
     #[inline(always)]
     fn run<I: Isa<T>>(self, _: I) {
         match (self.group.gradient, self.group.part.own.is_some()) {
-            (false, false) => self.all::<false, false>(),
-            (false, true) => self.all::<false, true>(),
-            (true, false) => self.all::<true, false>(),
-            (true, true) => self.all::<true, true>(),
+            (false, false) => self.all::<I, false, false>(),
+            (false, true) => self.all::<I, false, true>(),
+            (true, false) => self.all::<I, true, false>(),
+            (true, true) => self.all::<I, true, true>(),
         }
     }
 }
@@ -125,66 +126,52 @@ impl<T: Real, const D: usize> Job<T> for SumUp<'_, T, D> {
 impl<T: Real, const D: usize> SumUp<'_, T, D> {
     /// OWN: each particle has its own h.
     #[inline(always)]
-    fn all<const GRADIENT: bool, const OWN: bool>(self) {
+    fn all<I: Isa<T>, const GRADIENT: bool, const OWN: bool>(self) {
         let Self { group: Group { part, constant, points, range, .. }, values, first, scratch } = self;
         let inverse = if OWN { T::ONE } else { T::ONE / part.cells.radius };
         for ((place, &span), values) in range.clone().zip(&scratch.found.spans).zip(values) {
-            let x = points.position(place);
+            let x: [I::Reg; D] = I::splat_vector(&points.position(place));
             let (f, c) = (span.blocks_of(&scratch.profiles), span.blocks_of(&scratch.coefficients));
             let slopes = if GRADIENT { span.blocks_of(&scratch.slopes) } else { c };
             let inverses = if OWN { span.blocks_of(&scratch.inverses) } else { c };
-            let coordinates: [_; D] = std::array::from_fn(
-                #[inline(always)]
-                |axis| if GRADIENT { span.blocks_of(&scratch.coordinates[axis]) } else { c },
-            );
-            let mut value = [T::ZERO; BLOCK];
-            let mut gradient = [[T::ZERO; BLOCK]; D];
-            for block in 0..c.len() {
-                let mut c = c[block];
-                if OWN {
-                    for _ in 0..D {
-                        c = product(&c, &inverses[block]);
-                    }
-                }
-                add(&mut value, &product(&c, &f[block]));
+            let mut coordinates = [c; D];
+            for axis in 0..D {
                 if GRADIENT {
-                    let mut slope = slopes[block];
+                    coordinates[axis] = span.blocks_of(&scratch.coordinates[axis]);
+                }
+            }
+            let mut value = I::parts(I::Reg::ZERO);
+            let mut gradient = [I::parts(I::Reg::ZERO); D];
+            for block in 0..c.len() {
+                for part in 0..I::PARTS {
+                    let at = part * I::Reg::WIDTH;
+                    let mut c = I::Reg::load_at(&c[block], at);
                     if OWN {
-                        (c, slope) = (product(&c, &inverses[block]), product(&slope, &inverses[block]));
+                        for _ in 0..D {
+                            c = c * I::Reg::load_at(&inverses[block], at);
+                        }
                     }
-                    for axis in 0..D {
-                        let d = coordinates[axis][block].map(
-                            #[inline(always)]
-                            |y| x[axis] - y,
-                        );
-                        add(&mut gradient[axis], &product(&c, &product(&slope, &d)));
+                    value.as_mut()[part] += c * I::Reg::load_at(&f[block], at);
+                    if GRADIENT {
+                        let mut slope = I::Reg::load_at(&slopes[block], at);
+                        if OWN {
+                            let inverse = I::Reg::load_at(&inverses[block], at);
+                            (c, slope) = (c * inverse, slope * inverse);
+                        }
+                        for axis in 0..D {
+                            let d = x[axis] - I::Reg::load_at(&coordinates[axis][block], at);
+                            gradient[axis].as_mut()[part] += c * (slope * d);
+                        }
                     }
                 }
             }
             let values = &mut values[first..];
-            values[0] += totals(&[value])[0] * *constant;
+            values[0] += I::total_of_parts(value) * *constant;
             if GRADIENT {
-                for (value, total) in values[1..].iter_mut().zip(totals(&gradient)) {
-                    *value += (total * inverse) * (*constant * inverse);
+                for axis in 0..D {
+                    values[1 + axis] += (I::total_of_parts(gradient[axis]) * inverse) * (*constant * inverse);
                 }
             }
         }
-    }
-}
-
-/// Number by number.
-#[inline(always)]
-fn product<T: Real>(a: &[T; BLOCK], b: &[T; BLOCK]) -> [T; BLOCK] {
-    std::array::from_fn(
-        #[inline(always)]
-        |k| a[k] * b[k],
-    )
-}
-
-/// Number by number.
-#[inline(always)]
-fn add<T: Real>(sums: &mut [T; BLOCK], terms: &[T; BLOCK]) {
-    for k in 0..BLOCK {
-        sums[k] += terms[k];
     }
 }

@@ -15,6 +15,13 @@ pub struct RateSums<T, A: Lane<T>> {
 impl<T: Scalar, A: Lane<T>> RateSums<T, A> {
     /// Without neighbours.
     pub const EMPTY: Self = Self { compression: A::EMPTY, diffusion: A::EMPTY };
+
+    /// Adds the sums over other neighbours of the same particle.
+    #[inline(always)]
+    pub fn join(&mut self, other: &Self) {
+        A::join(&mut self.compression, other.compression);
+        A::join(&mut self.diffusion, other.diffusion);
+    }
 }
 
 impl<T: Scalar, const D: usize, W: Influence<T, D>> Scheme<T, D, W> {

@@ -5,7 +5,7 @@
 //! particle of spray has a fifth or less in some direction: there a gradient would be mostly noise, and none is given.
 
 use crate::Scalar;
-use crate::lane::{Lane, add_vector, scale, total_vector};
+use crate::lane::{Lane, add_vector, join_vector, scale, total_vector};
 
 /// The sums of one particle.
 #[derive(Clone, Copy)]
@@ -18,6 +18,15 @@ pub(super) struct DensityGradient<T, A: Lane<T>, const D: usize> {
 
 impl<T: Scalar, A: Lane<T>, const D: usize> DensityGradient<T, A, D> {
     pub(super) const EMPTY: Self = Self { difference: [A::EMPTY; D], correction: [[A::EMPTY; D]; D] };
+
+    /// Adds the sums over other neighbours.
+    #[inline(always)]
+    pub(super) fn join(&mut self, other: &Self) {
+        join_vector::<T, A, D>(&mut self.difference, &other.difference);
+        for row in 0..D {
+            join_vector::<T, A, D>(&mut self.correction[row], &other.correction[row]);
+        }
+    }
 
     /// A neighbour: x_ij, V_j ∇W_ij / x_ij, ρ_j − ρ_i.
     #[inline(always)]

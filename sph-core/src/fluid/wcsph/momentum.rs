@@ -2,7 +2,7 @@
 
 use super::gradient::DensityGradient;
 use super::{Lane, Pair, Pairs, ParticleStates, Scheme, Seen};
-use crate::lane::{add, add_vector, scale, sub, total_vector};
+use crate::lane::{add, add_vector, join_vector, scale, sub, total_vector};
 use crate::vector::{dot, norm_squared};
 use crate::{Influence, Scalar};
 
@@ -37,6 +37,14 @@ impl<T: Scalar, A: Lane<T>, const D: usize> ForceSums<T, A, D> {
     /// Without neighbours.
     pub const EMPTY: Self =
         Self { pull: [A::EMPTY; D], shift: [A::EMPTY; D], density_gradient: DensityGradient::EMPTY };
+
+    /// Adds the sums over other neighbours of the same particle.
+    #[inline(always)]
+    pub fn join(&mut self, other: &Self) {
+        join_vector::<T, A, D>(&mut self.pull, &other.pull);
+        join_vector::<T, A, D>(&mut self.shift, &other.shift);
+        self.density_gradient.join(&other.density_gradient);
+    }
 }
 
 impl<T: Scalar, const D: usize, W: Influence<T, D>> Scheme<T, D, W> {

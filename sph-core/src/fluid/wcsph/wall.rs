@@ -8,7 +8,7 @@
 //! J. Comput. Phys. 231 (2012) 7057, eqs. (23), (27), for walls that stand still. Suction is left out, so that fluid comes free.
 
 use super::{Lane, Pairs, Scheme, Seen};
-use crate::lane::{add_vector, splat_vector, total_vector};
+use crate::lane::{add_vector, join_vector, splat_vector, total_vector};
 use crate::vector::{dot, scale};
 use crate::{Influence, Scalar};
 
@@ -23,6 +23,14 @@ pub struct WallSums<T, A: Lane<T>, const D: usize> {
 impl<T: Scalar, A: Lane<T>, const D: usize> WallSums<T, A, D> {
     /// Without neighbours.
     pub const EMPTY: Self = Self { norm: A::EMPTY, pressure: A::EMPTY, velocity: [A::EMPTY; D] };
+
+    /// Adds the sums over other fluid in reach of the same wall.
+    #[inline(always)]
+    pub fn join(&mut self, other: &Self) {
+        A::join(&mut self.norm, other.norm);
+        A::join(&mut self.pressure, other.pressure);
+        join_vector::<T, A, D>(&mut self.velocity, &other.velocity);
+    }
 }
 
 impl<T: Scalar, const D: usize, W: Influence<T, D>> Scheme<T, D, W> {
