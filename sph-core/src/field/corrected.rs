@@ -51,11 +51,12 @@ impl<T: Scalar, const D: usize> Estimate<T, D> for Corrected {
     #[inline(always)]
     fn add_moments<A: Lane<T>>(
         (sum, (first, second)): &mut SumOf<T, A, Self::Moments<A>>,
-        term: &Term<A, D>,
+        term: &impl Term<A, D>,
     ) {
-        let weight = term.weight * term.influence;
-        let d = term.offset.map(|component| -component * term.inverse_reach);
-        [A::ONE, term.support_radius * term.inverse_reach].add_weighted(sum, weight);
+        let weight = term.weight() * term.influence();
+        let inverse_reach = term.inverse_reach();
+        let d = term.offset().map(|component| -component * inverse_reach);
+        [A::ONE, term.support_radius() * inverse_reach].add_weighted(sum, weight);
         d.add_weighted(first, weight);
         for (row, &component) in second.iter_mut().zip(&d) {
             d.add_weighted(row, component * weight);
@@ -63,10 +64,10 @@ impl<T: Scalar, const D: usize> Estimate<T, D> for Corrected {
     }
 
     #[inline(always)]
-    fn add<A: Lane<T>>((sum, first): &mut SumOf<T, A, Self::Sums<A>>, term: &Term<A, D>, value: A) {
-        let weighted = term.weight * term.influence * value;
+    fn add<A: Lane<T>>((sum, first): &mut SumOf<T, A, Self::Sums<A>>, term: &impl Term<A, D>, value: A) {
+        let weighted = term.weight() * term.influence() * value;
         weighted.add_to(sum);
-        term.offset.add_weighted(first, -term.inverse_reach * weighted);
+        term.offset().add_weighted(first, -term.inverse_reach() * weighted);
     }
 
     fn basis(([weight, support], (first, second)): Self::Moments<T>, reach: T) -> Option<LinearBasis<T, D>> {

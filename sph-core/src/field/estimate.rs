@@ -3,24 +3,25 @@
 use super::{Field, Quantity, Summand};
 use crate::{Influence, InfluenceOf, Lane, Neighbour, Neighbours, PerSample, Scalar, Sources};
 
-/// A sample in reach of a point x, or several side by side: what sums are made of.
-#[derive(Clone, Copy, Debug)]
-pub struct Term<A, const D: usize> {
+/// A sample in reach of a point x, or several side by side in a [`Lane`]: what sums are made of.
+pub trait Term<A, const D: usize> {
     /// V_j, units L^D; m_j for a density.
-    pub weight: A,
-    /// W(x − x_j), units L^{-D}; zero where [`Reads`] does not ask for it.
-    pub influence: A,
-    /// ∇W(x − x_j), units L^{-D-1}; zero where [`Reads`] does not ask for it.
-    pub gradient: [A; D],
-    /// x − x_j, units L; zero where [`Reads`] does not ask for it.
-    pub offset: [A; D],
+    fn weight(&self) -> A;
+    /// W(x − x_j), units L^{-D}.
+    fn influence(&self) -> A;
+    /// ∇W(x − x_j), units L^{-D-1}.
+    fn gradient(&self) -> [A; D];
+    /// W(x − x_j) and ∇W(x − x_j) together.
+    fn influence_and_gradient(&self) -> (A, [A; D]);
+    /// x − x_j, units L.
+    fn offset(&self) -> [A; D];
     /// h_j, units L.
-    pub support_radius: A,
+    fn support_radius(&self) -> A;
     /// 1 / the largest h_j, units L^{-1}: the same for all terms.
-    pub inverse_reach: A,
+    fn inverse_reach(&self) -> A;
 }
 
-/// What an estimate reads of its terms beside the weights.
+/// What an estimate reads of its terms beside the weights, so that a fast path need not prepare the rest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Reads {
     /// W(x − x_j)
@@ -40,6 +41,16 @@ impl Reads {
     pub const BOTH: Self = Self { influence: true, gradient: true, offset: false };
     /// W and x − x_j.
     pub const INFLUENCE_AND_OFFSET: Self = Self { influence: true, gradient: false, offset: true };
+
+    /// What two estimates read together.
+    #[must_use]
+    pub fn and(self, other: Self) -> Self {
+        Self {
+            influence: self.influence || other.influence,
+            gradient: self.gradient || other.gradient,
+            offset: self.offset || other.offset,
+        }
+    }
 }
 
 /// One way to estimate A(x) from the values A_j of the samples in reach: what is added for a sample, and what the sums mean.
@@ -60,11 +71,11 @@ impl Reads {
 ///     type Sums<A: Lane<T>> = A;
 ///     type Basis = T;
 ///
-///     fn add_moments<A: Lane<T>>(count: &mut A::Sum, _: &Term<A, D>) {
+///     fn add_moments<A: Lane<T>>(count: &mut A::Sum, _: &impl Term<A, D>) {
 ///         A::ONE.add_to(count);
 ///     }
 ///
-///     fn add<A: Lane<T>>(sum: &mut A::Sum, _: &Term<A, D>, value: A) {
+///     fn add<A: Lane<T>>(sum: &mut A::Sum, _: &impl Term<A, D>, value: A) {
 ///         value.add_to(sum);
 ///     }
 ///
@@ -94,9 +105,9 @@ pub trait Estimate<T: Scalar, const D: usize> {
     type Basis: Copy;
 
     /// Adds a term to the moments.
-    fn add_moments<A: Lane<T>>(moments: &mut SumOf<T, A, Self::Moments<A>>, term: &Term<A, D>);
+    fn add_moments<A: Lane<T>>(moments: &mut SumOf<T, A, Self::Moments<A>>, term: &impl Term<A, D>);
     /// Adds a term to the sums of a field whose value there is A_j.
-    fn add<A: Lane<T>>(sums: &mut SumOf<T, A, Self::Sums<A>>, term: &Term<A, D>, value: A);
+    fn add<A: Lane<T>>(sums: &mut SumOf<T, A, Self::Sums<A>>, term: &impl Term<A, D>, value: A);
     /// What the moments mean; `None` where the samples in reach do not carry the estimate. `reach` is the largest h_j.
     fn basis(moments: Self::Moments<T>, reach: T) -> Option<Self::Basis>;
     /// A(x) and ∇A(x), either zero where the estimate has none; `None` where they are out of the scalar's range.
@@ -106,55 +117,66 @@ pub trait Estimate<T: Scalar, const D: usize> {
 /// The running sums of a [`Summand`].
 pub type SumOf<T, A, S> = <S as Summand<T, A>>::Sum;
 
-impl<T: Scalar, const D: usize> Term<T, D> {
-    /// A neighbour, with as much of its influence as is read.
+/// One neighbour as a term.
+pub(super) struct One<'a, T, W, const D: usize> {
+    pub(super) neighbour: &'a Neighbour<T, D>,
+    pub(super) weight: T,
+    pub(super) influence: W,
+    /// The largest h_j; not read where x − x_j is not.
+    pub(super) reach: T,
+}
+
+impl<T: Scalar, W: Influence<T, D>, const D: usize> Term<T, D> for One<'_, T, W, D> {
     #[inline(always)]
-    fn new(
-        reads: Reads,
-        neighbour: &Neighbour<T, D>,
-        weight: T,
-        w: &impl Influence<T, D>,
-        inverse_reach: T,
-    ) -> Self {
-        let Neighbour { offset, distance_squared, .. } = *neighbour;
-        let (influence, gradient) = match (reads.influence, reads.gradient) {
-            (true, true) => w.value_and_gradient(&offset, distance_squared),
-            (true, false) => (w.influence(distance_squared), [T::ZERO; D]),
-            (false, true) => (T::ZERO, w.gradient(&offset, distance_squared)),
-            (false, false) => (T::ZERO, [T::ZERO; D]),
-        };
-        Self { weight, influence, gradient, offset, support_radius: w.support_radius(), inverse_reach }
+    fn weight(&self) -> T {
+        self.weight
+    }
+
+    #[inline(always)]
+    fn influence(&self) -> T {
+        self.influence.influence(self.neighbour.distance_squared)
+    }
+
+    #[inline(always)]
+    fn gradient(&self) -> [T; D] {
+        self.influence.gradient(&self.neighbour.offset, self.neighbour.distance_squared)
+    }
+
+    #[inline(always)]
+    fn influence_and_gradient(&self) -> (T, [T; D]) {
+        self.influence.value_and_gradient(&self.neighbour.offset, self.neighbour.distance_squared)
+    }
+
+    #[inline(always)]
+    fn offset(&self) -> [T; D] {
+        self.neighbour.offset
+    }
+
+    #[inline(always)]
+    fn support_radius(&self) -> T {
+        self.influence.support_radius()
+    }
+
+    #[inline(always)]
+    fn inverse_reach(&self) -> T {
+        T::ONE / self.reach
     }
 }
 
 impl<T: Scalar, const D: usize, N: Neighbours<T, D>, M: PerSample<T>> Sources<T, D, N, M> {
-    /// Visits the terms of all samples in reach of x, each with its index.
-    #[inline(always)]
-    fn for_each_term(
-        &self,
-        reads: Reads,
-        w: impl InfluenceOf<T, D>,
-        x: &[T; D],
-        mut visit: impl FnMut(usize, &Term<T, D>),
-    ) {
-        let inverse_reach = T::ONE / w.reach();
-        self.for_each(w, x, |neighbour, weight, influence| {
-            visit(neighbour.index, &Term::new(reads, neighbour, weight, &influence, inverse_reach));
-        });
-    }
-
     /// The moments of an estimate about x.
     #[inline(always)]
     pub fn moments_at<E: Estimate<T, D>>(&self, w: impl InfluenceOf<T, D>, x: &[T; D]) -> E::Moments<T> {
         let mut moments = <E::Moments<T> as Summand<T>>::EMPTY;
-        self.for_each_term(E::READS, w, x, |_, term| E::add_moments(&mut moments, term));
+        self.for_each(w, x, |neighbour, weight, influence| {
+            E::add_moments(&mut moments, &One { neighbour, weight, influence, reach: w.reach() });
+        });
         <E::Moments<T> as Summand<T>>::total(moments)
     }
 }
 
 impl<T: Scalar, const D: usize, N: Neighbours<T, D>, M: PerSample<T>, V> Field<'_, T, D, N, M, V> {
     /// A(x) and ∇A(x) by an estimate; `None` where the samples in reach do not carry it.
-    #[inline(always)]
     pub fn estimate_at<E: Estimate<T, D>>(&self, w: impl InfluenceOf<T, D>, x: &[T; D]) -> Option<(T, [T; D])>
     where
         V: PerSample<T>,
@@ -164,7 +186,6 @@ impl<T: Scalar, const D: usize, N: Neighbours<T, D>, M: PerSample<T>, V> Field<'
     }
 
     /// A(x) by an estimate, for scalar or vector values; `None` where the samples in reach do not carry it.
-    #[inline(always)]
     pub fn value_at<E: Estimate<T, D>, Q: Quantity<T>>(
         &self,
         w: impl InfluenceOf<T, D>,
@@ -190,10 +211,11 @@ impl<T: Scalar, const D: usize, N: Neighbours<T, D>, M: PerSample<T>, V> Field<'
     {
         let mut moments = <E::Moments<T> as Summand<T>>::EMPTY;
         let mut sums = Q::each(<E::Sums<T> as Summand<T>>::EMPTY);
-        self.sources.for_each_term(E::READS, w, x, |j, term| {
-            if let Some(value) = self.values.get(j) {
-                E::add_moments(&mut moments, term);
-                value.visit(&mut sums, |sums, component| E::add(sums, term, component));
+        self.sources.for_each(w, x, |neighbour, weight, influence| {
+            if let Some(value) = self.values.get(neighbour.index) {
+                let term = One { neighbour, weight, influence, reach: w.reach() };
+                E::add_moments(&mut moments, &term);
+                value.visit(&mut sums, |sums, component| E::add(sums, &term, component));
             }
         });
         Some((E::basis(<E::Moments<T> as Summand<T>>::total(moments), w.reach())?, sums))
@@ -211,9 +233,9 @@ impl<T: Scalar, const D: usize, N: Neighbours<T, D>, M: PerSample<T>, V> Field<'
         V: PerSample<T>,
     {
         let mut sums = <E::Sums<T> as Summand<T>>::EMPTY;
-        self.sources.for_each_term(E::READS, w, x, |j, term| {
-            if let Some(value) = self.values.get(j) {
-                E::add(&mut sums, term, value);
+        self.sources.for_each(w, x, |neighbour, weight, influence| {
+            if let Some(value) = self.values.get(neighbour.index) {
+                E::add(&mut sums, &One { neighbour, weight, influence, reach: w.reach() }, value);
             }
         });
         E::finish(basis, <E::Sums<T> as Summand<T>>::total(sums))

@@ -10,7 +10,8 @@
 //! Source of the forms at samples: D. J. Price, *Smoothed particle hydrodynamics and magnetohydrodynamics*, J. Comput. Phys.
 //! 231 (2012) 759, sects. 2.4 and 4.1.
 
-use super::{Estimate, Field, Plain, Reads, SumOf, Summand, Term, matrix};
+use super::estimate::One;
+use super::{Estimate, Field, Reads, SumOf, Summand, Term, matrix};
 use crate::{Influence, InfluenceOf, Lane, Neighbours, PerSample, Scalar};
 
 /// ∇A(x) = Σ V_j A_j ∇W(x − x_j) alone.
@@ -28,11 +29,11 @@ impl<T: Scalar, const D: usize> Estimate<T, D> for PlainGradient {
     type Basis = ();
 
     #[inline(always)]
-    fn add_moments<A: Lane<T>>((): &mut (), _: &Term<A, D>) {}
+    fn add_moments<A: Lane<T>>((): &mut (), _: &impl Term<A, D>) {}
 
     #[inline(always)]
-    fn add<A: Lane<T>>(sums: &mut SumOf<T, A, [A; D]>, term: &Term<A, D>, value: A) {
-        term.gradient.add_weighted(sums, term.weight * value);
+    fn add<A: Lane<T>>(sums: &mut SumOf<T, A, [A; D]>, term: &impl Term<A, D>, value: A) {
+        term.gradient().add_weighted(sums, term.weight() * value);
     }
 
     #[inline(always)]
@@ -53,12 +54,13 @@ impl<T: Scalar, const D: usize> Estimate<T, D> for PlainWithGradient {
     type Basis = ();
 
     #[inline(always)]
-    fn add_moments<A: Lane<T>>((): &mut (), _: &Term<A, D>) {}
+    fn add_moments<A: Lane<T>>((): &mut (), _: &impl Term<A, D>) {}
 
     #[inline(always)]
-    fn add<A: Lane<T>>((values, slopes): &mut SumOf<T, A, Self::Sums<A>>, term: &Term<A, D>, value: A) {
-        Plain::add(values, term, value);
-        PlainGradient::add(slopes, term, value);
+    fn add<A: Lane<T>>((values, slopes): &mut SumOf<T, A, Self::Sums<A>>, term: &impl Term<A, D>, value: A) {
+        let (influence, gradient) = term.influence_and_gradient();
+        (value * (term.weight() * influence)).add_to(values);
+        gradient.add_weighted(slopes, term.weight() * value);
     }
 
     #[inline(always)]
@@ -95,7 +97,17 @@ impl<T: Scalar, const D: usize, N: Neighbours<T, D>, M: PerSample<T>, V: PerSamp
 
     /// A(x) and ∇A(x) in one pass over the neighbours.
     pub fn interpolate_with_gradient_at(&self, w: impl InfluenceOf<T, D>, x: &[T; D]) -> (T, [T; D]) {
-        self.estimate_at::<PlainWithGradient>(w, x).unwrap_or((T::ZERO, [T::ZERO; D]))
+        let mut sums = <(T, [T; D]) as Summand<T>>::EMPTY;
+        self.sources.for_each(w, x, |neighbour, weight, influence| {
+            if let Some(value) = self.values.get(neighbour.index) {
+                PlainWithGradient::add(
+                    &mut sums,
+                    &One { neighbour, weight, influence, reach: T::ZERO },
+                    value,
+                );
+            }
+        });
+        <(T, [T; D]) as Summand<T>>::total(sums)
     }
 
     /// Σ V_j (A_j − A_i) ∇W_ij at sample i; `None` where there is no such sample.

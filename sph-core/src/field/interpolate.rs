@@ -14,11 +14,11 @@ impl<T: Scalar, const D: usize> Estimate<T, D> for Plain {
     type Basis = ();
 
     #[inline(always)]
-    fn add_moments<A: Lane<T>>((): &mut (), _: &Term<A, D>) {}
+    fn add_moments<A: Lane<T>>((): &mut (), _: &impl Term<A, D>) {}
 
     #[inline(always)]
-    fn add<A: Lane<T>>(sum: &mut A::Sum, term: &Term<A, D>, value: A) {
-        (value * (term.weight * term.influence)).add_to(sum);
+    fn add<A: Lane<T>>(sum: &mut A::Sum, term: &impl Term<A, D>, value: A) {
+        (value * (term.weight() * term.influence())).add_to(sum);
     }
 
     #[inline(always)]

@@ -26,12 +26,12 @@ impl<T: Scalar, const D: usize> Estimate<T, D> for Shepard {
     type Basis = T;
 
     #[inline(always)]
-    fn add_moments<A: Lane<T>>(weights: &mut A::Sum, term: &Term<A, D>) {
-        (term.weight * term.influence).add_to(weights);
+    fn add_moments<A: Lane<T>>(weights: &mut A::Sum, term: &impl Term<A, D>) {
+        (term.weight() * term.influence()).add_to(weights);
     }
 
     #[inline(always)]
-    fn add<A: Lane<T>>(sum: &mut A::Sum, term: &Term<A, D>, value: A) {
+    fn add<A: Lane<T>>(sum: &mut A::Sum, term: &impl Term<A, D>, value: A) {
         Plain::add(sum, term, value);
     }
 
@@ -55,13 +55,17 @@ impl<T: Scalar, const D: usize> Estimate<T, D> for ShepardWithGradient {
     type Basis = (T, [T; D]);
 
     #[inline(always)]
-    fn add_moments<A: Lane<T>>((weights, slopes): &mut SumOf<T, A, Self::Moments<A>>, term: &Term<A, D>) {
-        (term.weight * term.influence).add_to(weights);
-        term.gradient.add_weighted(slopes, term.weight);
+    fn add_moments<A: Lane<T>>(
+        (weights, slopes): &mut SumOf<T, A, Self::Moments<A>>,
+        term: &impl Term<A, D>,
+    ) {
+        let (influence, gradient) = term.influence_and_gradient();
+        (term.weight() * influence).add_to(weights);
+        gradient.add_weighted(slopes, term.weight());
     }
 
     #[inline(always)]
-    fn add<A: Lane<T>>(sums: &mut SumOf<T, A, Self::Sums<A>>, term: &Term<A, D>, value: A) {
+    fn add<A: Lane<T>>(sums: &mut SumOf<T, A, Self::Sums<A>>, term: &impl Term<A, D>, value: A) {
         PlainWithGradient::add(sums, term, value);
     }
 

@@ -16,6 +16,8 @@ pub trait Summand<T: Scalar, A: Lane<T> = T>: Copy {
 
     /// Adds weight · self to the sums.
     fn add_weighted(self, sums: &mut Self::Sum, weight: A);
+    /// Adds other sums, one for each number of a lane.
+    fn join(sums: &mut Self::Sum, other: &Self::Sum);
     /// The sums of all terms of all pairs, rounded to the scalar once.
     fn total(sums: Self::Sum) -> Self::Total;
 }
@@ -28,6 +30,11 @@ impl<T: Scalar, A: Lane<T>> Summand<T, A> for A {
     #[inline(always)]
     fn add_weighted(self, sum: &mut A::Sum, weight: A) {
         (self * weight).add_to(sum);
+    }
+
+    #[inline(always)]
+    fn join(sum: &mut A::Sum, other: &A::Sum) {
+        <A as Lane<T>>::join(sum, *other);
     }
 
     #[inline(always)]
@@ -49,6 +56,13 @@ impl<T: Scalar, A: Lane<T>, S: Summand<T, A>, const N: usize> Summand<T, A> for 
     }
 
     #[inline(always)]
+    fn join(sums: &mut Self::Sum, other: &Self::Sum) {
+        for (sum, other) in sums.iter_mut().zip(other) {
+            S::join(sum, other);
+        }
+    }
+
+    #[inline(always)]
     fn total(sums: Self::Sum) -> Self::Total {
         sums.map(S::total)
     }
@@ -66,6 +80,12 @@ impl<T: Scalar, A: Lane<T>, S: Summand<T, A>, R: Summand<T, A>> Summand<T, A> fo
     }
 
     #[inline(always)]
+    fn join(sums: &mut Self::Sum, other: &Self::Sum) {
+        S::join(&mut sums.0, &other.0);
+        R::join(&mut sums.1, &other.1);
+    }
+
+    #[inline(always)]
     fn total(sums: Self::Sum) -> Self::Total {
         (S::total(sums.0), R::total(sums.1))
     }
@@ -78,6 +98,9 @@ impl<T: Scalar, A: Lane<T>> Summand<T, A> for () {
 
     #[inline(always)]
     fn add_weighted(self, (): &mut (), _: A) {}
+
+    #[inline(always)]
+    fn join((): &mut (), (): &()) {}
 
     #[inline(always)]
     fn total((): ()) {}
