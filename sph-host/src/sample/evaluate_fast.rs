@@ -14,7 +14,7 @@ use super::request::{Estimate, Request, SamplePoints};
 use super::scene::positions;
 use super::units::{Units, fitted};
 use crate::failure::Failure;
-use crate::fast::{Fields, RadiusOctaves, Real, SortedCells, Sums};
+use crate::fast::{Estimates, Fields, RadiusOctaves, Real, SortedCells};
 use crate::kernel_choice::{KernelName, with_kernel};
 use crate::parallel;
 use crate::progress::Progress;
@@ -108,7 +108,7 @@ fn sums<T: Real, const D: usize>(
     kernel: KernelName,
     points: &[[T; D]],
     gradient: bool,
-) -> Result<Sums<T>, Error> {
+) -> Result<Estimates<T>, Error> {
     with_kernel!(kernel, K => fields.at::<K>(points, gradient))
 }
 
