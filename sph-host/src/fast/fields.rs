@@ -11,7 +11,8 @@ use super::part::{Part, Samples};
 use super::set::{SortedCells, bounds, check_length};
 use super::simd::Real;
 use super::sort::{Sorted, sort};
-use super::sums::{Group, PointScratch, PointSums};
+use super::sums::PointSums;
+use super::terms::{Group, PointScratch};
 use crate::parallel;
 
 /// Points that a thread takes at a time.

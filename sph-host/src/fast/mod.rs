@@ -23,6 +23,7 @@ mod shared_neighbourhood;
 mod simd;
 mod sort;
 mod sums;
+mod terms;
 
 pub(crate) use blocks::{Block, reserve, sixteen_mut};
 pub(crate) use collect::list_places;

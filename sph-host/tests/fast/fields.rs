@@ -205,8 +205,9 @@ fn check_estimates<T: Real, K: Kernel, const D: usize>(cloud: &Cloud<T, D>, tole
             };
             let found = at(InstructionSet::best(), true);
             let mut carried = 0;
-            let rows = found.values.chunks_exact(3 * (1 + D)).zip(&found.carried);
-            for (x, (row, &is_carried)) in points.iter().zip(rows) {
+            let most = found.reached.iter().max().unwrap();
+            let rows = found.values.chunks_exact(3 * (1 + D)).zip(&found.carried).zip(&found.reached);
+            for (x, ((row, &is_carried), reached)) in points.iter().zip(rows) {
                 for (values, row) in [&values, &other].iter().zip(row[1 + D..].chunks_exact(1 + D)) {
                     let expected = if is_own {
                         exact(estimate, each, cloud, &volumes, values, x)
@@ -234,7 +235,8 @@ fn check_estimates<T: Real, K: Kernel, const D: usize>(cloud: &Cloud<T, D>, tole
                         );
                     }
                 }
-                if estimate == EstimateName::Corrected && is_carried {
+                // with few on one side rounding is larger by the condition number
+                if estimate == EstimateName::Corrected && 2 * reached > *most {
                     let row = &row[1 + D..];
                     let size = 20.0 * (1.0 + plane(x).abs());
                     assert!((row[0].to_f64() - plane(x)).abs() <= tolerance * size * 5.0, "{x:?} {row:?}");
