@@ -6,6 +6,7 @@
 pub mod cli;
 pub mod demo;
 mod engine;
+pub mod estimate_choice;
 pub mod failure;
 pub mod fast;
 pub mod io;

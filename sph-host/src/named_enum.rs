@@ -30,7 +30,8 @@ macro_rules! named_enum {
             }
 
             /// The one of this name.
-            pub(crate) fn of_name(name: &str) -> Option<Self> {
+            #[must_use]
+            pub fn of_name(name: &str) -> Option<Self> {
                 Self::ALL.iter().copied().find(|known| known.name() == name)
             }
         }

@@ -1,6 +1,8 @@
 //! ρ(x) = Σ m_j W(x − x_j), the sample itself included (Thm 3.2), and V_j = m_j / ρ_j.
+//!
+//! What divides Shepard's sums is the density that volumes have in place of masses, so both are the same moments.
 
-use super::Quantity;
+use super::{Shepard, ShepardWithGradient};
 use crate::samples::check_length;
 use crate::{
     Accumulator, Error, Influence, InfluenceOf, Neighbours, Parameter, PerSample, Scalar, Sources, Uniform,
@@ -10,22 +12,12 @@ use crate::{
 impl<T: Scalar, const D: usize, N: Neighbours<T, D>, M: PerSample<T>> Sources<T, D, N, M> {
     /// ρ(x) = Σ m_j W(x − x_j), units M L^{-D}. With volumes as weights it is Σ V_j W, near 1 inside the samples.
     pub fn density_at(&self, w: impl InfluenceOf<T, D>, x: &[T; D]) -> T {
-        let mut sum = <T as Quantity<T>>::EMPTY;
-        self.for_each(w, x, |neighbour, mass, influence| {
-            mass.add_to(&mut sum, influence.influence(neighbour.distance_squared));
-        });
-        T::total(sum)
+        self.moments_at::<Shepard>(w, x)
     }
 
     /// ρ(x) and ∇ρ(x) = Σ m_j ∇W(x − x_j), units M L^{-D} and M L^{-D-1}.
     pub fn density_gradient_at(&self, w: impl InfluenceOf<T, D>, x: &[T; D]) -> (T, [T; D]) {
-        let (mut density, mut gradient) = (<T as Quantity<T>>::EMPTY, <[T; D] as Quantity<T>>::EMPTY);
-        self.for_each(w, x, |neighbour, mass, influence| {
-            let (w, slope) = influence.value_and_gradient(&neighbour.offset, neighbour.distance_squared);
-            mass.add_to(&mut density, w);
-            slope.add_to(&mut gradient, mass);
-        });
-        (T::total(density), <[T; D]>::total(gradient))
+        self.moments_at::<ShepardWithGradient>(w, x)
     }
 
     /// ρ_i at every sample, written to `density`.

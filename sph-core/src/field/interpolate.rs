@@ -1,7 +1,36 @@
 //! A(x) = Σ V_j A_j W(x − x_j) (Def. 3.1), V_j = m_j / ρ_j.
 
-use super::{Field, Quantity};
-use crate::{Influence, InfluenceOf, Neighbours, PerSample, Scalar};
+use super::{Estimate, Field, Quantity, Reads, Term};
+use crate::{InfluenceOf, Lane, Neighbours, PerSample, Scalar};
+
+/// A(x) = Σ V_j A_j W(x − x_j), in the unit of A.
+#[derive(Clone, Copy, Debug)]
+pub struct Plain;
+
+impl<T: Scalar, const D: usize> Estimate<T, D> for Plain {
+    const READS: Reads = Reads::INFLUENCE;
+    type Moments<A: Lane<T>> = ();
+    type Sums<A: Lane<T>> = A;
+    type Basis = ();
+
+    #[inline(always)]
+    fn add_moments<A: Lane<T>>((): &mut (), _: &impl Term<A, D>) {}
+
+    #[inline(always)]
+    fn add<A: Lane<T>>(sum: &mut A::Sum, term: &impl Term<A, D>, value: A) {
+        (value * (term.weight() * term.influence())).add_to(sum);
+    }
+
+    #[inline(always)]
+    fn basis((): (), _: T) -> Option<()> {
+        Some(())
+    }
+
+    #[inline(always)]
+    fn finish((): &(), value: T) -> Option<(T, [T; D])> {
+        Some((value, [T::ZERO; D]))
+    }
+}
 
 impl<T: Scalar, const D: usize, N: Neighbours<T, D>, M: PerSample<T>, V> Field<'_, T, D, N, M, V> {
     /// A(x) in the unit of A, for scalar or vector values; zero where no sample is in reach.
@@ -20,12 +49,6 @@ impl<T: Scalar, const D: usize, N: Neighbours<T, D>, M: PerSample<T>, V> Field<'
     where
         V: PerSample<Q>,
     {
-        let mut sum = Q::EMPTY;
-        self.sources.for_each(w, x, |neighbour, volume, influence| {
-            if let Some(value) = self.values.get(neighbour.index) {
-                value.add_to(&mut sum, volume * influence.influence(neighbour.distance_squared));
-            }
-        });
-        Q::total(sum)
+        self.value_at::<Plain, Q>(w, x).unwrap_or(Q::ZERO)
     }
 }

@@ -5,7 +5,7 @@
 //! div A = J[0][0] + J[1][1] + …       curl A = (J[2][1] − J[1][2], J[0][2] − J[2][0], J[1][0] − J[0][1])
 //! ```
 
-use super::{Field, Quantity};
+use super::{Field, Summand};
 use crate::vector::sub;
 use crate::{Influence, InfluenceOf, Neighbours, PerSample, Scalar};
 
@@ -28,16 +28,16 @@ impl<T: Scalar, const D: usize, N: Neighbours<T, D>, M: PerSample<T>, V> Field<'
         V: PerSample<[T; C]>,
     {
         let (x, own) = self.sample::<[T; C]>(i)?;
-        let mut rows = [<[T; D] as Quantity<T>>::EMPTY; C];
+        let mut rows = [<[T; D] as Summand<T>>::EMPTY; C];
         self.sources.for_each(w, &x, |neighbour, volume, influence| {
             if let Some(value) = self.values.get(neighbour.index) {
                 let slope = influence.gradient(&neighbour.offset, neighbour.distance_squared);
                 for (row, component) in rows.iter_mut().zip(sub(&value, &own)) {
-                    slope.add_to(row, volume * component);
+                    slope.add_weighted(row, volume * component);
                 }
             }
         });
-        Some(rows.map(<[T; D]>::total))
+        Some(rows.map(<[T; D] as Summand<T>>::total))
     }
 }
 

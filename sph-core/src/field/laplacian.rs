@@ -46,8 +46,8 @@ impl<T: Scalar, const D: usize, N: Neighbours<T, D>, M: PerSample<T>, V> Field<'
                 let slope = influence.gradient(&neighbour.offset, neighbour.distance_squared);
                 let factor = dot(&neighbour.offset, &slope) / neighbour.distance_squared;
                 let weight = volume * factor * (own_coefficient + coefficient);
-                own.add_to(&mut sum, weight);
-                value.add_to(&mut sum, -weight);
+                own.add_weighted(&mut sum, weight);
+                value.add_weighted(&mut sum, -weight);
             }
         });
         Some(Q::total(sum))

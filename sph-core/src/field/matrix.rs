@@ -45,8 +45,43 @@ fn largest_below<T: Scalar, const D: usize>(m: &[[T; D]; D], column: usize) -> u
 /// narrower types.
 pub(super) fn is_well_conditioned<T: Scalar, const D: usize>(m: [[T; D]; D]) -> bool {
     let least = if T::EPSILON.to_f64() < 1e-12 { T::from_f64(1e-8) } else { T::from_f64(1e-4) };
+    // Most matrices are far from singular, which a bound shows at a tenth of the cost of the eigenvalues; types of few digits
+    // cannot hold it.
+    if T::EPSILON.to_f64() < 1e-6 && least_ratio(&m) > least.times(2) {
+        return true;
+    }
     let (smallest, largest) = extreme_eigenvalues(m);
     smallest > largest * least
+}
+
+/// A number that λ_min / λ_max is not below, for a symmetric matrix, of which the lower triangle is read; zero where a pivot is
+/// not above zero.
+///
+/// Of n positive eigenvalues the largest is below their sum tr, and the n − 1 largest have a product of at most
+/// (tr / (n − 1))^(n−1), their mean being at most tr / (n − 1). Hence λ_min / λ_max ≥ (n − 1)^(n−1) det / tr^n.
+fn least_ratio<T: Scalar, const D: usize>(m: &[[T; D]; D]) -> T {
+    let mut trace = T::ZERO;
+    for axis in 0..D {
+        trace += m[axis][axis];
+    }
+    let (mut m, mut ratio) = (*m, T::ONE);
+    for column in 0..D {
+        let pivot = m[column][column];
+        if !pivot.is_above_zero() {
+            return T::ZERO;
+        }
+        let inverse = T::ONE / pivot;
+        for row in column + 1..D {
+            let factor = m[row][column] * inverse;
+            for k in column + 1..=row {
+                let change = factor * m[k][column];
+                m[row][k] -= change;
+            }
+        }
+        let others = if column > 0 { D as i32 - 1 } else { 1 };
+        ratio = ratio * (pivot / trace).times(others);
+    }
+    ratio
 }
 
 /// The smallest and the largest eigenvalue of a symmetric matrix, by cyclic Jacobi rotations.
@@ -116,5 +151,35 @@ mod tests {
         assert!((smallest - (2.0 - libm::sqrt(2.0))).abs() < 1e-14);
         assert!((largest - (2.0 + libm::sqrt(2.0))).abs() < 1e-14);
         assert_eq!(extreme_eigenvalues([[3.0_f32]]), (3.0, 3.0));
+    }
+
+    #[test]
+    fn the_bound_is_below_the_ratio_of_the_eigenvalues_and_above_zero_only_for_positive_matrices() {
+        let mut random = 1_u32;
+        let mut next = || {
+            random = random.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            f64::from(random >> 8) / f64::from(1 << 24) - 0.5
+        };
+        let mut largest = 0.0_f64;
+        for i in 0..500 {
+            // Σ v vᵀ over four vectors, of which the last axis is flattened more and more
+            let mut m = [[0.0; 4]; 4];
+            for _ in 0..4 {
+                let v = [next(), next(), next(), next() * libm::pow(0.98, i as f64)];
+                for a in 0..4 {
+                    for b in 0..4 {
+                        m[a][b] += v[a] * v[b];
+                    }
+                }
+            }
+            let ((least, most), bound) = (extreme_eigenvalues(m), least_ratio(&m));
+            assert!(bound <= least / most * 1.000001 && bound >= 0.0, "{i}: {bound} {least} {most}");
+            largest = largest.max(bound);
+        }
+        assert!(largest > 0.01, "{largest}");
+        assert_eq!(least_ratio(&[[2.0_f64, 0.0], [0.0, 2.0]]), 0.25);
+        assert_eq!(least_ratio(&[[3.0_f32]]), 1.0);
+        assert_eq!(least_ratio(&[[1.0_f64, 2.0], [2.0, 1.0]]), 0.0);
+        assert_eq!(least_ratio(&[[f64::NAN]]), 0.0);
     }
 }

@@ -14,6 +14,10 @@
 //! | [`Field::jacobian`], [`divergence`], [`curl`], [`curl_2d`] | Σ V_j (A_j − A_i) ⊗ ∇W_ij and what follows | samples |
 //! | [`Field::laplacian`], [`Field::diffusion`] | Σ V_j (μ_i + μ_j) (A_i − A_j) x_ij·∇W_ij / r² | samples |
 //!
+//! Those at any point are [`Estimate`]s: [`Plain`], [`PlainGradient`], [`PlainWithGradient`], [`Shepard`],
+//! [`ShepardWithGradient`] and [`Corrected`]. Each is written once, for one sample at a time and for several side by side in a
+//! [`Lane`](crate::Lane); one of your own is asked by [`Field::estimate_at`].
+//!
 //! V_j = m_j / ρ_j. The numeric gradient of an interpolated field is [`difference::gradient`](crate::difference::gradient) of a
 //! closure that interpolates.
 //!
@@ -22,6 +26,7 @@
 
 mod corrected;
 mod density;
+mod estimate;
 mod gradient;
 mod interpolate;
 mod jacobian;
@@ -29,11 +34,17 @@ mod laplacian;
 mod matrix;
 mod quantity;
 mod shepard;
+mod summand;
 
-pub use corrected::{LinearBasis, LinearFit};
+pub use corrected::{Corrected, LinearBasis, LinearFit};
 pub use density::volumes;
+pub use estimate::{Estimate, Reads, SumOf, Term};
+pub use gradient::{PlainGradient, PlainWithGradient};
+pub use interpolate::Plain;
 pub use jacobian::{curl, curl_2d, divergence};
 pub use quantity::Quantity;
+pub use shepard::{Shepard, ShepardWithGradient};
+pub use summand::Summand;
 
 use crate::samples::check_length;
 use crate::{Error, Neighbours, Parameter, PerSample, Scalar, Sources};

@@ -1,60 +1,65 @@
 //! What a field's values can be: scalars or vectors.
 
-use crate::{Accumulator, Scalar};
+use super::Summand;
+use crate::{Arithmetic, Scalar};
 
-/// A value that can be weighted and summed: `T`, or `[T; N]` component by component.
-pub trait Quantity<T: Scalar>: Copy {
-    /// The running sum.
-    type Sum: Copy;
-    /// The empty sum.
-    const EMPTY: Self::Sum;
+/// The value of a field at a sample: `T`, or `[T; N]`, of which each component is estimated as a field of its own.
+pub trait Quantity<T: Scalar>: Summand<T, T, Total = Self> {
+    /// 0 in each component.
+    const ZERO: Self;
+    /// One thing for each component.
+    type Each<X: Copy>: Copy;
 
-    /// Adds weight · self to the sum.
-    fn add_to(self, sum: &mut Self::Sum, weight: T);
-    /// The sum, rounded to the scalar once.
-    fn total(sum: Self::Sum) -> Self;
-    /// self / divisor
-    fn divided(self, divisor: T) -> Self;
+    /// The same thing for each component.
+    fn each<X: Copy>(thing: X) -> Self::Each<X>;
+    /// Visits all things, each with its component.
+    fn visit<X: Copy>(self, things: &mut Self::Each<X>, visit: impl FnMut(&mut X, T));
+    /// The components that things become, if all become one.
+    fn collect<X: Copy>(things: Self::Each<X>, component: impl FnMut(X) -> Option<T>) -> Option<Self>;
 }
 
 impl<T: Scalar> Quantity<T> for T {
-    type Sum = T::Sum;
-    const EMPTY: T::Sum = T::Sum::ZERO;
+    const ZERO: T = <T as Arithmetic>::ZERO;
+    type Each<X: Copy> = X;
 
     #[inline(always)]
-    fn add_to(self, sum: &mut T::Sum, weight: T) {
-        sum.add(self * weight);
+    fn each<X: Copy>(thing: X) -> X {
+        thing
     }
 
     #[inline(always)]
-    fn total(sum: T::Sum) -> T {
-        sum.total()
+    fn visit<X: Copy>(self, thing: &mut X, mut visit: impl FnMut(&mut X, T)) {
+        visit(thing, self);
     }
 
     #[inline(always)]
-    fn divided(self, divisor: T) -> T {
-        self / divisor
+    fn collect<X: Copy>(thing: X, mut component: impl FnMut(X) -> Option<T>) -> Option<T> {
+        component(thing)
     }
 }
 
 impl<T: Scalar, const N: usize> Quantity<T> for [T; N] {
-    type Sum = [T::Sum; N];
-    const EMPTY: Self::Sum = [T::Sum::ZERO; N];
+    const ZERO: Self = [<T as Arithmetic>::ZERO; N];
+    type Each<X: Copy> = [X; N];
 
     #[inline(always)]
-    fn add_to(self, sum: &mut Self::Sum, weight: T) {
-        for (component, sum) in self.iter().zip(sum) {
-            sum.add(*component * weight);
+    fn each<X: Copy>(thing: X) -> [X; N] {
+        [thing; N]
+    }
+
+    #[inline(always)]
+    fn visit<X: Copy>(self, things: &mut [X; N], mut visit: impl FnMut(&mut X, T)) {
+        for (thing, &component) in things.iter_mut().zip(&self) {
+            visit(thing, component);
         }
     }
 
     #[inline(always)]
-    fn total(sum: Self::Sum) -> Self {
-        sum.map(Accumulator::total)
-    }
-
-    #[inline(always)]
-    fn divided(self, divisor: T) -> Self {
-        self.map(|component| component / divisor)
+    fn collect<X: Copy>(things: [X; N], mut component: impl FnMut(X) -> Option<T>) -> Option<Self> {
+        let mut all = <Self as Quantity<T>>::ZERO;
+        for (out, thing) in all.iter_mut().zip(things) {
+            *out = component(thing)?;
+        }
+        Some(all)
     }
 }

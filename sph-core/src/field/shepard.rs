@@ -6,8 +6,81 @@
 //!
 //! Source: D. Shepard, *A two-dimensional interpolation function for irregularly-spaced data*, Proc. ACM Nat. Conf. (1968) 517.
 
-use super::{Field, Quantity};
-use crate::{Influence, InfluenceOf, Neighbours, PerSample, Scalar};
+use super::{Estimate, Field, Plain, PlainWithGradient, Quantity, Reads, SumOf, Summand, Term};
+use crate::{InfluenceOf, Lane, Neighbours, PerSample, Scalar};
+
+/// A(x) = Σ V_j A_j W / Σ V_j W, in the unit of A.
+#[derive(Clone, Copy, Debug)]
+pub struct Shepard;
+
+/// Shepard's form and its gradient.
+#[derive(Clone, Copy, Debug)]
+pub struct ShepardWithGradient;
+
+impl<T: Scalar, const D: usize> Estimate<T, D> for Shepard {
+    const READS: Reads = Reads::INFLUENCE;
+    /// Σ V_j W
+    type Moments<A: Lane<T>> = A;
+    /// Σ V_j A_j W
+    type Sums<A: Lane<T>> = A;
+    type Basis = T;
+
+    #[inline(always)]
+    fn add_moments<A: Lane<T>>(weights: &mut A::Sum, term: &impl Term<A, D>) {
+        (term.weight() * term.influence()).add_to(weights);
+    }
+
+    #[inline(always)]
+    fn add<A: Lane<T>>(sum: &mut A::Sum, term: &impl Term<A, D>, value: A) {
+        Plain::add(sum, term, value);
+    }
+
+    #[inline(always)]
+    fn basis(weights: T, _: T) -> Option<T> {
+        weights.is_above_zero().then_some(weights)
+    }
+
+    #[inline(always)]
+    fn finish(weights: &T, values: T) -> Option<(T, [T; D])> {
+        Some((values / *weights, [T::ZERO; D]))
+    }
+}
+
+impl<T: Scalar, const D: usize> Estimate<T, D> for ShepardWithGradient {
+    const READS: Reads = Reads::BOTH;
+    /// Σ V_j W and Σ V_j ∇W
+    type Moments<A: Lane<T>> = (A, [A; D]);
+    /// Σ V_j A_j W and Σ V_j A_j ∇W
+    type Sums<A: Lane<T>> = (A, [A; D]);
+    type Basis = (T, [T; D]);
+
+    #[inline(always)]
+    fn add_moments<A: Lane<T>>(
+        (weights, slopes): &mut SumOf<T, A, Self::Moments<A>>,
+        term: &impl Term<A, D>,
+    ) {
+        let (influence, gradient) = term.influence_and_gradient();
+        (term.weight() * influence).add_to(weights);
+        gradient.add_weighted(slopes, term.weight());
+    }
+
+    #[inline(always)]
+    fn add<A: Lane<T>>(sums: &mut SumOf<T, A, Self::Sums<A>>, term: &impl Term<A, D>, value: A) {
+        PlainWithGradient::add(sums, term, value);
+    }
+
+    #[inline(always)]
+    fn basis(moments: (T, [T; D]), _: T) -> Option<(T, [T; D])> {
+        moments.0.is_above_zero().then_some(moments)
+    }
+
+    #[inline(always)]
+    fn finish((weights, weight_slopes): &(T, [T; D]), (values, slopes): (T, [T; D])) -> Option<(T, [T; D])> {
+        let value = values / *weights;
+        let slope = |axis: usize| (slopes[axis] - value * weight_slopes[axis]) / *weights;
+        Some((value, core::array::from_fn(slope)))
+    }
+}
 
 impl<T: Scalar, const D: usize, N: Neighbours<T, D>, M: PerSample<T>, V> Field<'_, T, D, N, M, V> {
     /// A(x) in the unit of A, for scalar or vector values; `None` where no sample is in reach.
@@ -15,16 +88,7 @@ impl<T: Scalar, const D: usize, N: Neighbours<T, D>, M: PerSample<T>, V> Field<'
     where
         V: PerSample<Q>,
     {
-        let (mut values, mut weights) = (Q::EMPTY, <T as Quantity<T>>::EMPTY);
-        self.sources.for_each(w, x, |neighbour, volume, influence| {
-            if let Some(value) = self.values.get(neighbour.index) {
-                let w = influence.influence(neighbour.distance_squared);
-                value.add_to(&mut values, volume * w);
-                volume.add_to(&mut weights, w);
-            }
-        });
-        let weights = T::total(weights);
-        (weights > T::ZERO).then(|| Q::total(values).divided(weights))
+        self.value_at::<Shepard, Q>(w, x)
     }
 
     /// A(x) and ∇A(x) of a scalar field; `None` where no sample is in reach.
@@ -32,24 +96,6 @@ impl<T: Scalar, const D: usize, N: Neighbours<T, D>, M: PerSample<T>, V> Field<'
     where
         V: PerSample<T>,
     {
-        let mut sum = <[T; 2] as Quantity<T>>::EMPTY;
-        let mut slope = <[T; D] as Quantity<T>>::EMPTY;
-        let mut weight_slope = slope;
-        self.sources.for_each(w, x, |neighbour, volume, influence| {
-            if let Some(value) = self.values.get(neighbour.index) {
-                let (w, gradient) =
-                    influence.value_and_gradient(&neighbour.offset, neighbour.distance_squared);
-                [value, T::ONE].add_to(&mut sum, volume * w);
-                gradient.add_to(&mut slope, volume * value);
-                gradient.add_to(&mut weight_slope, volume);
-            }
-        });
-        let [values, weights] = <[T; 2]>::total(sum);
-        if !weights.is_above_zero() {
-            return None;
-        }
-        let value = values / weights;
-        let (slope, weight_slope) = (<[T; D]>::total(slope), <[T; D]>::total(weight_slope));
-        Some((value, core::array::from_fn(|axis| (slope[axis] - value * weight_slope[axis]) / weights)))
+        self.estimate_at::<ShepardWithGradient>(w, x)
     }
 }

@@ -3,9 +3,9 @@
 use clap::ValueEnum;
 use clap::builder::PossibleValue;
 
+use crate::estimate_choice::Estimate;
 use crate::kernel_choice::KernelName;
 use crate::run::{CaseName, Solver};
-use crate::sample::Estimate;
 use crate::scalar_choice::ScalarName;
 
 macro_rules! words {

@@ -1,32 +1,5 @@
 //! Words that stand for numbers and lists.
 
-use clap::builder::{PossibleValue, TypedValueParser};
-
-/// Takes one of some listed values by its name.
-#[derive(Clone, Copy)]
-pub(super) struct Listed<V>(pub(super) fn() -> Vec<(PossibleValue, V)>);
-
-impl<V: Clone + Send + Sync + 'static> TypedValueParser for Listed<V> {
-    type Value = V;
-
-    fn parse_ref(
-        &self,
-        command: &clap::Command,
-        arg: Option<&clap::Arg>,
-        value: &std::ffi::OsStr,
-    ) -> Result<V, clap::Error> {
-        let list = (self.0)();
-        let names = clap::builder::PossibleValuesParser::new(list.iter().map(|(name, _)| name.clone()));
-        let name = names.parse_ref(command, arg, value)?;
-        let known = list.into_iter().find(|(known, _)| known.matches(&name, false));
-        known.map(|(_, value)| value).ok_or_else(|| clap::Error::new(clap::error::ErrorKind::InvalidValue))
-    }
-
-    fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
-        Some(Box::new((self.0)().into_iter().map(|(name, _)| name)))
-    }
-}
-
 /// Cells along each axis.
 #[derive(Clone, Debug)]
 pub(super) struct Counts(pub(super) Vec<usize>);

@@ -4,7 +4,6 @@ use std::io::BufWriter;
 use std::path::PathBuf;
 use std::time::Instant;
 
-use clap::builder::PossibleValue;
 use clap::{ArgGroup, Args};
 use serde_json::{Map, Value, json};
 
@@ -13,10 +12,11 @@ use super::progress::Bar;
 use super::sample_messages::{explain, in_words, unknown_set};
 use super::{say, to_stdout};
 use crate::demo;
+use crate::estimate_choice::Estimate;
 use crate::failure::Failure;
 use crate::kernel_choice::KernelName;
 use crate::output::{self, Target};
-use crate::sample::{self, Estimate, ParticleSource, Request, SamplePoints, Sampled, SupportFrom};
+use crate::sample::{self, ParticleSource, Request, SamplePoints, Sampled, SupportFrom};
 use crate::scalar_choice::ScalarName;
 
 /// Evaluate the fields of a particle set at points, on a grid, or at the particles themselves.
@@ -74,7 +74,7 @@ pub(super) struct SampleArgs {
     smoothing_length_column: Option<String>,
 
     /// The sum that stands for a field
-    #[arg(long, value_name = "ESTIMATE", default_value = Estimate::Plain.name(), value_parser = parse::Listed(estimates))]
+    #[arg(long, value_enum, default_value_t = Estimate::Plain)]
     estimate: Estimate,
     /// The mass of every particle, over a column
     #[arg(long, value_name = "M", value_parser = parse::positive, allow_hyphen_values = true)]
@@ -138,12 +138,6 @@ pub(super) fn run(args: SampleArgs) -> Result<(), Failure> {
         say(&format!("timing: {}", timing_line(&sampled, start.elapsed().as_secs_f64())));
     }
     Ok(())
-}
-
-/// The estimates with what they are.
-fn estimates() -> Vec<(PossibleValue, Estimate)> {
-    let one = |&estimate: &Estimate| (PossibleValue::new(estimate.name()).help(estimate.about()), estimate);
-    Estimate::ALL.iter().map(one).collect()
 }
 
 /// What the words ask for, where they are words that can be.

@@ -1,15 +1,19 @@
-//! Sums Σ c_j W(x − x_j) and Σ c_j ∇W(x − x_j) at any points, for any coefficients c_j: masses give a density, V_j A_j an
-//! interpolated field, V_j the weights of Shepard's form.
+//! Fields at any points: estimates from what particles carry, and plain sums Σ c_j W(x − x_j) and Σ c_j ∇W(x − x_j).
 
+use std::ops::Range;
+
+use sph_core::field::{Estimate, Plain, PlainWithGradient, Reads};
 use sph_core::kernel::Kernel;
-use sph_core::{Error, KernelInfluence, Parameter};
+use sph_core::{Error, Parameter, Scalar};
 
 use super::cells::BandLayout;
-use super::radius_octaves::OwnRadii;
+use super::part::{Part, Samples};
 use super::simd::Real;
-use super::sort::sort;
+use super::sort::{Sorted, sort};
 use super::sorted_cells::{SortedCells, bounds, check_length};
-use super::sums::{Group, PointScratch};
+use super::sums::PointSums;
+use super::terms::{Group, PointScratch};
+use crate::estimate_choice::{Estimate as EstimateChoice, with_estimate};
 use crate::parallel;
 
 /// Points that a thread takes at a time.
@@ -17,35 +21,31 @@ const CHUNK: usize = 1024;
 /// Points that go through each step of the sums together.
 const GROUP: usize = 16;
 
-/// Coefficients c_j of particles in [`SortedCells`] or [`RadiusOctaves`](super::RadiusOctaves), ready to be summed anywhere.
+/// What the particles of [`SortedCells`] or [`RadiusOctaves`](super::RadiusOctaves) carry, ready to be estimated anywhere.
 #[derive(Clone, Debug)]
 pub struct Fields<'a, T, const D: usize> {
-    pub(super) parts: Vec<Part<'a, T, D>>,
-    pub(super) width: usize,
+    parts: Vec<Part<'a, T, D>>,
+    /// How many plain sums there are.
+    plain: usize,
+    /// How many fields are estimated.
+    fields: usize,
 }
 
-/// The coefficients of the particles of one set of cells.
-#[derive(Clone, Debug)]
-pub(super) struct Part<'a, T, const D: usize> {
-    pub(super) cells: &'a SortedCells<T, D>,
-    /// h_j and σ_D h_j^{-D}, where each particle has its own.
-    pub(super) own: Option<&'a OwnRadii<T>>,
-    /// Field by field, in the order of the cells, and after the last particle a block of zeros.
-    pub(super) coefficients: Vec<Vec<T>>,
-}
-
-/// Sums at points.
+/// Plain sums and estimated fields at points.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Sums<T> {
-    /// For each point, and for each of the coefficients, Σ c_j W and, where gradients were asked for, the D components of
-    /// Σ c_j ∇W.
+pub struct Estimates<T> {
+    /// For each point, for each plain sum and then for each field, its value and, where gradients were asked for, the D
+    /// components of the gradient; NaN where there is no estimate.
     pub values: Vec<T>,
     /// For each point, how many particles are in reach.
     pub reached: Vec<u32>,
+    /// For each point, whether what is in reach carries the estimate of the fields: not where Σ V_j W is zero for Shepard's
+    /// form, and not where the moments of the corrected one are ill-conditioned.
+    pub carried: Vec<bool>,
 }
 
 impl<T: Real, const D: usize> SortedCells<T, D> {
-    /// Joins the cells with coefficients: each slice has one for each particle, in the order of the input.
+    /// Joins the cells with coefficients of plain sums: each slice has one for each particle, in the order of the input.
     ///
     /// ```
     /// use sph_core::kernel::CubicSpline;
@@ -63,84 +63,202 @@ impl<T: Real, const D: usize> SortedCells<T, D> {
     /// # Errors
     /// [`Error::LengthMismatch`] unless every slice has a coefficient for each particle.
     pub fn fields(&self, coefficients: &[&[T]]) -> Result<Fields<'_, T, D>, Error> {
-        for slice in coefficients {
-            check_length(slice.len(), self.len(), Parameter::Value)?;
-        }
-        Ok(Fields { parts: vec![Part::new(self, None, coefficients)], width: coefficients.len() })
-    }
-}
-
-impl<'a, T: Real, const D: usize> Part<'a, T, D> {
-    /// Sorts the coefficients; there is one for each index of the cells.
-    pub(super) fn new(
-        cells: &'a SortedCells<T, D>,
-        own: Option<&'a OwnRadii<T>>,
-        coefficients: &[&[T]],
-    ) -> Self {
-        let coefficients = coefficients.iter().map(|slice| cells.sorted.column(|j| slice[j])).collect();
-        Self { cells, own, coefficients }
+        self.samples(&Samples { coefficients, volumes: &[], values: &[] })
     }
 
-    /// What all sums are multiplied with: σ_D h^{-D}, or σ_D where each particle has its own h.
-    fn constant<K: Kernel>(&self) -> Result<T, Error> {
-        let Some(own) = self.own else {
-            return Ok(KernelInfluence::<T, D, K>::new(self.cells.radius)?.normalisation());
-        };
-        for radius in [own.least, self.cells.radius] {
-            KernelInfluence::<T, D, K>::new(radius)?;
-        }
-        Ok(KernelInfluence::<T, D, K>::new(T::ONE)?.normalisation())
-    }
-}
-
-impl<T: Real, const D: usize> Fields<'_, T, D> {
-    /// The sums at points, in any order; points that are close together in space cost less when they come together, so they
-    /// are sorted first.
+    /// Joins the cells with what the particles carry.
+    ///
+    /// ```
+    /// use sph_core::kernel::CubicSpline;
+    /// use sph_host::estimate_choice::Estimate;
+    /// use sph_host::fast::{Samples, SortedCells};
+    ///
+    /// // A = 3x on a row that ends at x = 0, where the plain estimate sees half of what it would see within
+    /// let row: Vec<[f64; 1]> = (0..100).map(|i| [0.1 * f64::from(i)]).collect();
+    /// let field: Vec<f64> = row.iter().map(|[x]| 3.0 * x + 1.0).collect();
+    /// let cells = SortedCells::sort(&row, 0.4)?;
+    /// let fields = cells.samples(&Samples { coefficients: &[], volumes: &[0.1; 100], values: &[&field] })?;
+    /// let at_end = fields.estimate::<CubicSpline>(Estimate::Corrected, &[[0.0]], true)?;
+    /// assert!((at_end.values[0] - 1.0).abs() < 1e-12 && (at_end.values[1] - 3.0).abs() < 1e-12);
+    /// # Ok::<(), sph_core::Error>(())
+    /// ```
     ///
     /// # Errors
-    /// [`Error::NotFinite`] for such a point; those of [`KernelInfluence::new`].
-    pub fn at<K: Kernel>(&self, points: &[[T; D]], gradient: bool) -> Result<Sums<T>, Error> {
-        let constants: Vec<T> =
-            self.parts.iter().map(|part| part.constant::<K>()).collect::<Result<_, _>>()?;
-        let add: AddGroup<T, D> = |group, values, reached, scratch| group.add::<K>(values, reached, scratch);
-        self.sums(add, &constants, points, gradient)
+    /// [`Error::LengthMismatch`] unless every slice has a number for each particle.
+    pub fn samples(&self, samples: &Samples<'_, T>) -> Result<Fields<'_, T, D>, Error> {
+        samples.check(self.len())?;
+        Ok(Fields::new(vec![Part::new(self, None, samples)], samples))
+    }
+}
+
+impl<T> Samples<'_, T> {
+    /// There is a number for each of so many particles in every slice.
+    pub(super) fn check(&self, particles: usize) -> Result<(), Error> {
+        for slice in self.coefficients.iter().chain(self.values) {
+            check_length(slice.len(), particles, Parameter::Value)?;
+        }
+        if self.values.is_empty() {
+            Ok(())
+        } else {
+            check_length(self.volumes.len(), particles, Parameter::Volume)
+        }
+    }
+}
+
+impl<'a, T: Real, const D: usize> Fields<'a, T, D> {
+    pub(super) fn new(parts: Vec<Part<'a, T, D>>, samples: &Samples<'_, T>) -> Self {
+        Self { parts, plain: samples.coefficients.len(), fields: samples.values.len() }
     }
 
-    fn sums(
+    /// The largest h.
+    fn reach(&self) -> T {
+        self.parts.iter().map(|part| part.cells.radius).fold(T::ZERO, Scalar::max)
+    }
+
+    /// The sums at points, those of the fields plain too.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] for such a point; those of [`KernelInfluence::new`](sph_core::KernelInfluence::new).
+    pub fn at<K: Kernel>(&self, points: &[[T; D]], gradient: bool) -> Result<Estimates<T>, Error> {
+        if gradient {
+            self.estimate_by::<K, PlainWithGradient, PlainWithGradient>(points, true)
+        } else {
+            self.estimate_by::<K, Plain, Plain>(points, false)
+        }
+    }
+
+    /// The plain sums and the estimated fields at points, in any order; points that are close together in space cost less when they
+    /// come together, so they are sorted first.
+    ///
+    /// # Errors
+    /// As [`at`](Self::at).
+    pub fn estimate<K: Kernel>(
         &self,
-        add: AddGroup<T, D>,
+        estimate: EstimateChoice,
+        points: &[[T; D]],
+        gradient: bool,
+    ) -> Result<Estimates<T>, Error> {
+        if gradient {
+            with_estimate!(estimate, gradient E => self.estimate_by::<K, PlainWithGradient, E>(points, true))
+        } else {
+            with_estimate!(estimate, value E => self.estimate_by::<K, Plain, E>(points, false))
+        }
+    }
+
+    /// As [`estimate`](Self::estimate) by an estimate E, and the plain sums by P.
+    fn estimate_by<K: Kernel, P: Estimate<T, D>, E: Estimate<T, D>>(
+        &self,
+        points: &[[T; D]],
+        gradient: bool,
+    ) -> Result<Estimates<T>, Error> {
+        let constants = self.parts.iter().map(|part| part.constant::<K>()).collect::<Result<Vec<T>, _>>()?;
+        let find: Find<T, D> = |group, reads, reached, scratch| group.find::<K>(reads, reached, scratch);
+        self.run::<P, E>(find, &constants, points, gradient)
+    }
+
+    fn run<P: Estimate<T, D>, E: Estimate<T, D>>(
+        &self,
+        find: Find<T, D>,
         constants: &[T],
         points: &[[T; D]],
         gradient: bool,
-    ) -> Result<Sums<T>, Error> {
+    ) -> Result<Estimates<T>, Error> {
         let (lower, upper) = bounds(points)?;
         let radius = self.parts.first().map_or(1.0, |part| part.cells.radius.to_f64());
         let points = sort(&BandLayout::new(lower, upper, radius, points.len()), points);
-
-        let row = (self.width * if gradient { 1 + D } else { 1 }).max(1);
-        let mut values = vec![T::ZERO; row * points.order.len()];
-        let mut reached = vec![0; points.order.len()];
-        let work = values.chunks_mut(row * CHUNK).zip(reached.chunks_mut(CHUNK));
-        parallel::for_each_with(work, |scratch, chunk, (values, reached)| {
-            let groups = values.chunks_mut(row * GROUP).zip(reached.chunks_mut(GROUP));
-            for (group, (values, reached)) in groups.enumerate() {
+        let of_field = if gradient { 1 + D } else { 1 };
+        let width = ((self.plain + self.fields) * of_field).max(1);
+        let count = points.order.len();
+        let mut values = vec![T::ZERO; width * count];
+        let (mut reached, mut carried) = (vec![0; count], vec![true; count]);
+        let work = Evaluation { fields: self, find, constants, points: &points, of_field };
+        let out =
+            (values.chunks_mut(width * CHUNK).zip(reached.chunks_mut(CHUNK))).zip(carried.chunks_mut(CHUNK));
+        parallel::for_each_with(out, |found, chunk, ((values, reached), carried)| {
+            let mut sums = (PointSums::<T, D, P>::default(), PointSums::<T, D, E>::default());
+            let out = (values.chunks_mut(width * GROUP).zip(reached.chunks_mut(GROUP)))
+                .zip(carried.chunks_mut(GROUP));
+            for (group, ((values, reached), carried)) in out.enumerate() {
                 let first = chunk * CHUNK + group * GROUP;
-                let range = first..first + reached.len();
-                for (part, &constant) in self.parts.iter().zip(constants) {
-                    let group = Group { part, constant, points: &points, range: range.clone(), gradient };
-                    add(&group, values, reached, scratch);
-                }
+                work.sum_up(first..first + reached.len(), reached, found, &mut sums);
+                let rows = values.chunks_exact_mut(width).zip(carried);
+                rows.enumerate()
+                    .for_each(|(point, (row, carried))| *carried = work.finish(point, row, &sums));
             }
         });
-        Ok(Sums {
-            values: unsorted(&values, row, &points.order),
+        Ok(Estimates {
+            values: unsorted(&values, width, &points.order),
             reached: unsorted(&reached, 1, &points.order),
+            carried: unsorted(&carried, 1, &points.order),
         })
     }
 }
 
-/// [`Group::add`] for a kernel: all else is compiled once for all kernels.
-type AddGroup<T, const D: usize> = fn(&Group<'_, T, D>, &mut [T], &mut [u32], &mut PointScratch<T, D>);
+/// [`Group::find`] for a kernel: all else is compiled once for all kernels.
+type Find<T, const D: usize> = fn(&Group<'_, T, D>, Reads, &mut [u32], &mut PointScratch<T, D>);
+
+/// What all threads need to know.
+struct Evaluation<'a, T, const D: usize> {
+    fields: &'a Fields<'a, T, D>,
+    find: Find<T, D>,
+    /// σ_D h^{-D} of each part.
+    constants: &'a [T],
+    points: &'a Sorted<T, D>,
+    /// Numbers that each field has in a row.
+    of_field: usize,
+}
+
+/// The plain sums at a group of points, and those of the fields.
+type GroupSums<T, const D: usize, P, E> = (PointSums<T, D, P>, PointSums<T, D, E>);
+
+impl<T: Real, const D: usize> Evaluation<'_, T, D> {
+    /// The sums at a group of points, by P the plain ones and by E those of the fields, and how many particles are in reach.
+    fn sum_up<P: Estimate<T, D>, E: Estimate<T, D>>(
+        &self,
+        range: Range<usize>,
+        reached: &mut [u32],
+        found: &mut PointScratch<T, D>,
+        (plain, fields): &mut GroupSums<T, D, P, E>,
+    ) {
+        let Self { fields: Fields { parts, .. }, points, constants, .. } = *self;
+        plain.reset(range.len(), self.fields.plain);
+        fields.reset(range.len(), self.fields.fields);
+        let has_plain = self.fields.plain > 0;
+        let reads = match (has_plain, self.fields.fields > 0) {
+            (true, true) => P::READS.and(E::READS),
+            (false, true) => E::READS,
+            (_, false) => P::READS,
+        };
+        let reach = self.fields.reach();
+        for (part, &constant) in parts.iter().zip(constants) {
+            let group = Group { part, constant, reach, points, range: range.clone() };
+            (self.find)(&group, reads, reached, found);
+            group.add(&[], &part.coefficients, plain, found);
+            group.add(&part.volumes, &part.weighted_values, fields, found);
+        }
+    }
+
+    /// Writes the row of a point of the group; returns whether what is in reach carries the estimate of the fields.
+    fn finish<P: Estimate<T, D>, E: Estimate<T, D>>(
+        &self,
+        point: usize,
+        row: &mut [T],
+        (plain, fields): &GroupSums<T, D, P, E>,
+    ) -> bool {
+        let reach = self.fields.reach();
+        let mut out = row.chunks_exact_mut(self.of_field);
+        let mut put = |estimate: Option<(T, [T; D])>| {
+            if let Some(out) = out.next() {
+                let none = T::from_f64(f64::NAN);
+                let (value, gradient) = estimate.unwrap_or((none, [none; D]));
+                out[0] = value;
+                out[1..].iter_mut().zip(gradient).for_each(|(out, component)| *out = component);
+            }
+        };
+        plain.finish(point, reach, &mut put);
+        fields.finish(point, reach, &mut put)
+    }
+}
 
 /// Rows in the order that they had before they were sorted.
 fn unsorted<V: Copy + Default + Send + Sync>(rows: &[V], width: usize, order: &[u32]) -> Vec<V> {

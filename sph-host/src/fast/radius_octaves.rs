@@ -3,7 +3,8 @@
 use rayon::prelude::*;
 use sph_core::{Error, Parameter};
 
-use super::fields::{Fields, Part};
+use super::fields::Fields;
+use super::part::{OwnRadii, Part, Samples};
 use super::simd::{InstructionSet, Real};
 use super::sorted_cells::{SortedCells, check_length, check_radius};
 
@@ -22,18 +23,6 @@ use super::sorted_cells::{SortedCells, check_length, check_radius};
 pub struct RadiusOctaves<T, const D: usize> {
     parts: Vec<(SortedCells<T, D>, OwnRadii<T>)>,
     len: usize,
-}
-
-/// What each particle of some cells has instead of one h for all, in the order of the cells,
-/// and after the last a block of zeros.
-#[derive(Clone, Debug)]
-pub(super) struct OwnRadii<T> {
-    /// h_j²
-    pub(super) squares: Vec<T>,
-    /// 1 / h_j
-    pub(super) inverses: Vec<T>,
-    /// The smallest h_j.
-    pub(super) least: T,
 }
 
 impl<T: Real, const D: usize> RadiusOctaves<T, D> {
@@ -82,11 +71,17 @@ impl<T: Real, const D: usize> RadiusOctaves<T, D> {
     /// # Errors
     /// As [`SortedCells::fields`].
     pub fn fields(&self, coefficients: &[&[T]]) -> Result<Fields<'_, T, D>, Error> {
-        for slice in coefficients {
-            check_length(slice.len(), self.len(), Parameter::Value)?;
-        }
-        let parts = self.parts.iter().map(|(cells, own)| Part::new(cells, Some(own), coefficients)).collect();
-        Ok(Fields { parts, width: coefficients.len() })
+        self.samples(&Samples { coefficients, volumes: &[], values: &[] })
+    }
+
+    /// As [`SortedCells::samples`].
+    ///
+    /// # Errors
+    /// As [`SortedCells::samples`].
+    pub fn samples(&self, samples: &Samples<'_, T>) -> Result<Fields<'_, T, D>, Error> {
+        samples.check(self.len())?;
+        let parts = self.parts.iter().map(|(cells, own)| Part::new(cells, Some(own), samples)).collect();
+        Ok(Fields::new(parts, samples))
     }
 }
 
@@ -104,7 +99,12 @@ fn part<T: Real, const D: usize>(
     });
     let mut cells = SortedCells::sort(&chosen, most)?;
     cells.sorted.order.iter_mut().for_each(|index| *index = indices[*index as usize]);
-    let squares = cells.sorted.column(|j| radii[j] * radii[j]);
-    let inverses = cells.sorted.column(|j| T::ONE / radii[j]);
-    Ok((cells, OwnRadii { squares, inverses, least }))
+    let column = |value: &(dyn Fn(T) -> T + Sync)| cells.sorted.column(|j| value(radii[j]));
+    let own = OwnRadii {
+        radii: column(&|h| h),
+        squares: column(&|h| h * h),
+        inverses: column(&|h| T::ONE / h),
+        least,
+    };
+    Ok((cells, own))
 }

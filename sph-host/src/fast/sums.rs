@@ -1,177 +1,140 @@
-//! The sums of [`Fields`](super::Fields) at some consecutive points.
-
-use std::marker::PhantomData;
-use std::ops::Range;
+//! The sums of an [`Estimate`] at some consecutive points: its terms, a register at a time.
 
 use sph_core::Arithmetic;
-use sph_core::kernel::Kernel;
+use sph_core::field::{Estimate, Reads, SumOf, Summand};
 
-use super::blocks::reserve;
-use super::collect::{Collect, Found, Pick};
-use super::evaluate::Evaluate;
-use super::fields::Part;
 use super::simd::{Isa, Job, Real, Register};
-use super::sort::Sorted;
+use super::terms::{Group, OneRegister, PointScratch, Terms};
 
-/// Memory that is used again: a number for each particle found, for all points of a group.
-#[derive(Clone, Debug)]
-pub(super) struct PointScratch<T, const D: usize> {
-    found: Found<T>,
-    /// f(q)
-    profiles: Vec<T>,
-    /// f′(q) / q
-    slopes: Vec<T>,
-    /// x_j, axis by axis.
-    coordinates: [Vec<T>; D],
-    /// 1 / h_j, where each has its own h_j.
-    inverses: Vec<T>,
-    /// c_j
-    coefficients: Vec<T>,
+/// The sums of an estimate at each point of a group.
+pub(super) struct PointSums<T: Real, const D: usize, E: Estimate<T, D>> {
+    moments: Vec<SumOf<T, T, E::Moments<T>>>,
+    /// Point by point, a sum for each field.
+    fields: Vec<SumOf<T, T, E::Sums<T>>>,
+    width: usize,
 }
 
-impl<T, const D: usize> Default for PointScratch<T, D> {
+impl<T: Real, const D: usize, E: Estimate<T, D>> Default for PointSums<T, D, E> {
     fn default() -> Self {
-        Self {
-            found: Found { squares: Vec::new(), blocks: Vec::new(), spans: Vec::new() },
-            profiles: Vec::new(),
-            slopes: Vec::new(),
-            coordinates: [const { Vec::new() }; D],
-            inverses: Vec::new(),
-            coefficients: Vec::new(),
-        }
+        Self { moments: Vec::new(), fields: Vec::new(), width: 0 }
     }
 }
 
-/// One part's contribution at a group of consecutive points.
-pub(super) struct Group<'a, T, const D: usize> {
-    pub(super) part: &'a Part<'a, T, D>,
-    /// σ_D h^{-D}, or σ_D.
-    pub(super) constant: T,
-    pub(super) points: &'a Sorted<T, D>,
-    pub(super) range: Range<usize>,
-    pub(super) gradient: bool,
+impl<T: Real, const D: usize, E: Estimate<T, D>> PointSums<T, D, E> {
+    /// Begins anew, with so many fields at so many points.
+    pub(super) fn reset(&mut self, points: usize, width: usize) {
+        self.width = width;
+        self.moments.clear();
+        self.moments.resize(points, <E::Moments<T> as Summand<T>>::EMPTY);
+        self.fields.clear();
+        self.fields.resize(points * width, <E::Sums<T> as Summand<T>>::EMPTY);
+    }
+
+    /// Hands over what the sums of each field mean at a point. Returns whether the samples in reach carry the estimate.
+    pub(super) fn finish(&self, point: usize, reach: T, mut put: impl FnMut(Option<(T, [T; D])>)) -> bool {
+        if self.width == 0 {
+            return true;
+        }
+        let basis = E::basis(<E::Moments<T> as Summand<T>>::total(self.moments[point]), reach);
+        for &sums in &self.fields[point * self.width..][..self.width] {
+            let sums = <E::Sums<T> as Summand<T>>::total(sums);
+            put(basis.as_ref().and_then(|basis| E::finish(basis, sums)));
+        }
+        basis.is_some()
+    }
 }
 
 impl<T: Real, const D: usize> Group<'_, T, D> {
-    /// Adds the sums to rows of values, and how many particles are in reach.
-    pub(super) fn add<K: Kernel>(
+    /// Adds the terms of what [`find`](Self::find) found to the sums of an estimate: V_j, unless it has no moments, and the
+    /// weighted values of each field.
+    pub(super) fn add<E: Estimate<T, D>>(
         &self,
-        values: &mut [T],
-        reached: &mut [u32],
+        volumes: &[T],
+        weighted_values: &[Vec<T>],
+        sums: &mut PointSums<T, D, E>,
         scratch: &mut PointScratch<T, D>,
     ) {
-        let Part { cells, own, coefficients } = self.part;
-        let level = cells.level;
-        let PointScratch { found, profiles, slopes, coordinates, inverses, coefficients: _ } = scratch;
-        let own_limits = own.map(|own| &own.squares[..]);
-        let (points, range) = (self.points, self.range.clone());
-        let end = T::dispatch(level, Collect { cells, own_limits, points, range, found });
-        for (reached, span) in reached.iter_mut().zip(&found.spans) {
-            *reached += span.count as u32;
+        let level = self.part.cells.level;
+        if size_of::<E::Moments<T>>() > 0 && sums.width > 0 {
+            self.pick(volumes, scratch);
+            T::dispatch(level, AddMoments { group: self, scratch, sums });
         }
-        if let Some(own) = own {
-            T::dispatch(level, Pick { found, columns: [&own.inverses], out: [inverses] });
+        for (field, column) in weighted_values.iter().enumerate() {
+            self.pick(column, scratch);
+            T::dispatch(level, AddField { group: self, scratch, sums, field });
         }
-        if self.gradient {
-            let out = coordinates.each_mut();
-            T::dispatch(level, Pick { found, columns: cells.sorted.padded(), out });
-        }
-        reserve(profiles, end);
-        reserve(slopes, end);
-        let evaluate = Evaluate::<T, K, D> {
-            squares: &found.squares[..end],
-            inverse: T::ONE / cells.radius,
-            inverses: own.map(|_| &inverses[..end]),
-            profiles: &mut profiles[..end],
-            slopes: if self.gradient { &mut slopes[..end] } else { &mut [] },
-            kernel: PhantomData::<K>,
-        };
-        T::dispatch(level, evaluate);
-        let stride = if self.gradient { 1 + D } else { 1 };
-        for (field, column) in coefficients.iter().enumerate() {
-            T::dispatch(
-                level,
-                Pick { found: &scratch.found, columns: [column], out: [&mut scratch.coefficients] },
-            );
-            let rows = values.chunks_exact_mut(stride * coefficients.len());
-            T::dispatch(level, SumUp { group: self, values: rows, first: field * stride, scratch });
+    }
+
+    /// Sums over what is in reach of each point, a register at a time, and hands over what they come to.
+    #[inline(always)]
+    fn sum_up<I: Isa<T>, S: Summand<T, I::Reg>>(
+        &self,
+        scratch: &PointScratch<T, D>,
+        reads: Reads,
+        add: impl Fn(&mut S::Sum, &OneRegister<'_, T, I, D>),
+        mut put: impl FnMut(usize, S::Total),
+    ) {
+        for (point, (place, &span)) in self.range.clone().zip(&scratch.found.spans).enumerate() {
+            let terms = Terms::<T, I, D>::new(self, scratch, reads, span, place);
+            let mut parts = I::parts(S::EMPTY);
+            for (part, out) in parts.as_mut().iter_mut().enumerate() {
+                let mut sums = S::EMPTY;
+                for block in 0..terms.weights.len() {
+                    add(&mut sums, &OneRegister { terms: &terms, block, first: part * I::Reg::WIDTH });
+                }
+                *out = sums;
+            }
+            put(point, S::total(I::join_parts(parts, S::join)));
         }
     }
 }
 
-/// Adds up what kernels and the coefficients of one field make together.
-struct SumUp<'a, T, const D: usize> {
+/// Adds to the moments of an estimate.
+struct AddMoments<'a, T: Real, const D: usize, E: Estimate<T, D>> {
     group: &'a Group<'a, T, D>,
-    /// A row for each point.
-    values: std::slice::ChunksExactMut<'a, T>,
-    /// Where in a row the field's values are.
-    first: usize,
     scratch: &'a PointScratch<T, D>,
+    sums: &'a mut PointSums<T, D, E>,
 }
 
-impl<T: Real, const D: usize> Job<T> for SumUp<'_, T, D> {
+impl<T: Real, const D: usize, E: Estimate<T, D>> Job<T> for AddMoments<'_, T, D, E> {
     type Output = ();
 
     #[inline(always)]
     fn run<I: Isa<T>>(self, _: I) {
-        match (self.group.gradient, self.group.part.own.is_some()) {
-            (false, false) => self.all::<I, false, false>(),
-            (false, true) => self.all::<I, false, true>(),
-            (true, false) => self.all::<I, true, false>(),
-            (true, true) => self.all::<I, true, true>(),
-        }
+        let Self { group, scratch, sums } = self;
+        group.sum_up::<I, E::Moments<I::Reg>>(
+            scratch,
+            E::READS,
+            #[inline(always)]
+            |sums, term| E::add_moments(sums, term),
+            #[inline(always)]
+            |point, total| total.add_weighted(&mut sums.moments[point], group.constant),
+        );
     }
 }
 
-impl<T: Real, const D: usize> SumUp<'_, T, D> {
-    /// OWN: each particle has its own h.
+/// Adds to the sums of one field.
+struct AddField<'a, T: Real, const D: usize, E: Estimate<T, D>> {
+    group: &'a Group<'a, T, D>,
+    scratch: &'a PointScratch<T, D>,
+    sums: &'a mut PointSums<T, D, E>,
+    field: usize,
+}
+
+impl<T: Real, const D: usize, E: Estimate<T, D>> Job<T> for AddField<'_, T, D, E> {
+    type Output = ();
+
     #[inline(always)]
-    fn all<I: Isa<T>, const GRADIENT: bool, const OWN: bool>(self) {
-        let Self { group: Group { part, constant, points, range, .. }, values, first, scratch } = self;
-        let inverse = if OWN { T::ONE } else { T::ONE / part.cells.radius };
-        for ((place, &span), values) in range.clone().zip(&scratch.found.spans).zip(values) {
-            let x: [I::Reg; D] = I::splat_vector(&points.position(place));
-            let (f, c) = (span.blocks_of(&scratch.profiles), span.blocks_of(&scratch.coefficients));
-            let slopes = if GRADIENT { span.blocks_of(&scratch.slopes) } else { c };
-            let inverses = if OWN { span.blocks_of(&scratch.inverses) } else { c };
-            let mut coordinates = [c; D];
-            for axis in 0..D {
-                if GRADIENT {
-                    coordinates[axis] = span.blocks_of(&scratch.coordinates[axis]);
-                }
-            }
-            let mut value = I::parts(I::Reg::ZERO);
-            let mut gradient = [I::parts(I::Reg::ZERO); D];
-            for block in 0..c.len() {
-                for part in 0..I::PARTS {
-                    let at = part * I::Reg::WIDTH;
-                    let mut c = I::Reg::load_at(&c[block], at);
-                    if OWN {
-                        for _ in 0..D {
-                            c = c * I::Reg::load_at(&inverses[block], at);
-                        }
-                    }
-                    value.as_mut()[part] += c * I::Reg::load_at(&f[block], at);
-                    if GRADIENT {
-                        let mut slope = I::Reg::load_at(&slopes[block], at);
-                        if OWN {
-                            let inverse = I::Reg::load_at(&inverses[block], at);
-                            (c, slope) = (c * inverse, slope * inverse);
-                        }
-                        for axis in 0..D {
-                            let d = x[axis] - I::Reg::load_at(&coordinates[axis][block], at);
-                            gradient[axis].as_mut()[part] += c * (slope * d);
-                        }
-                    }
-                }
-            }
-            let values = &mut values[first..];
-            values[0] += I::total_of_parts(value) * *constant;
-            if GRADIENT {
-                for axis in 0..D {
-                    values[1 + axis] += (I::total_of_parts(gradient[axis]) * inverse) * (*constant * inverse);
-                }
-            }
-        }
+    fn run<I: Isa<T>>(self, _: I) {
+        let Self { group, scratch, sums, field } = self;
+        group.sum_up::<I, E::Sums<I::Reg>>(
+            scratch,
+            E::READS,
+            // the value is in the weight
+            #[inline(always)]
+            |sums, term| E::add(sums, term, I::Reg::ONE),
+            #[inline(always)]
+            |point, total| total.add_weighted(&mut sums.fields[point * sums.width + field], group.constant),
+        );
     }
 }

@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use thiserror::Error;
 
 use super::request::SamplePoints;
+use crate::estimate_choice::Estimate;
 use crate::io::ReadError;
 use crate::kernel_choice::KernelName;
 use crate::output::GridError;
@@ -272,11 +273,13 @@ pub enum Warning {
         /// Of how many.
         points: usize,
     },
-    /// Points whose particles do not carry the corrected estimate.
+    /// Points whose particles do not carry the estimate.
     #[error(
-        "{count} of {points} points have too few particles in reach, or all of them in a plane, for the corrected estimate"
+        "{count} of {points} points have too few particles in reach, or all of them in a plane, for the {estimate} estimate"
     )]
-    IllConditioned {
+    NotCarried {
+        /// By which.
+        estimate: Estimate,
         /// How many.
         count: usize,
         /// Of how many.

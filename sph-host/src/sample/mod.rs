@@ -5,7 +5,8 @@
 //!
 //! ```
 //! use sph_host::kernel_choice::KernelName;
-//! use sph_host::sample::{self, Estimate, ParticleSource, Request, SamplePoints};
+//! use sph_host::estimate_choice::Estimate;
+//! use sph_host::sample::{self, ParticleSource, Request, SamplePoints};
 //! use sph_host::scalar_choice::ScalarName;
 //!
 //! let request = Request {
@@ -41,7 +42,6 @@
 
 mod check;
 mod error;
-mod estimate;
 mod evaluate;
 mod found;
 mod memory;
@@ -60,7 +60,6 @@ mod table;
 mod units;
 
 pub use error::{SampleError, Warning};
-pub use estimate::Estimate;
 pub use request::{ParticleSource, Request, SamplePoints, SupportFrom};
 pub(crate) use significant::Significant;
 pub use units::Units;
@@ -138,10 +137,17 @@ fn sampled(
 ) -> Sampled {
     let mut warnings = plan.warnings(points.len());
     let points_in_all = points.len();
-    let Counts { out_of_reach, ill_conditioned, overflowed } = done.counts;
+    let Counts { out_of_reach, not_carried, overflowed } = done.counts;
     let counted = [
         (out_of_reach, Warning::OutOfReach { count: out_of_reach, points: points_in_all }),
-        (ill_conditioned, Warning::IllConditioned { count: ill_conditioned, points: points_in_all }),
+        (
+            not_carried,
+            Warning::NotCarried {
+                estimate: plan.request.estimate,
+                count: not_carried,
+                points: points_in_all,
+            },
+        ),
         (overflowed, Warning::Overflowed { count: overflowed }),
     ];
     warnings.extend(counted.into_iter().filter(|(count, _)| *count > 0).map(|(_, warning)| warning));

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use super::estimate::Estimate;
+use crate::estimate_choice::Estimate;
 use crate::kernel_choice::KernelName;
 use crate::scalar_choice::ScalarName;
 

@@ -22,7 +22,7 @@ pub(super) fn particles(
     table.require_one_name_each()?;
     let masses = masses(&table, request)?;
     let densities = densities(&table, request)?;
-    if masses.is_none() && (!request.estimate.facts().without_mass || request.recompute_density) {
+    if masses.is_none() && (request.estimate.needs_mass() || request.recompute_density) {
         return Err(SampleError::NoMass { file: table.source });
     }
     Ok(Particles {

@@ -2,13 +2,14 @@
 
 use std::time::Instant;
 
-use sph_core::{Scalar, Sources};
+use sph_core::field::Estimate;
+use sph_core::{Field, Scalar, Sources};
 
 use super::rows::{Counts, Evaluated, empty_columns, fill};
 use super::scene::Scene;
+use crate::estimate_choice::with_estimate;
 use crate::progress::Progress;
 use crate::sample::error::SampleError;
-use crate::sample::estimate::{Around, Method};
 use crate::sample::found::AtPoint;
 use crate::sample::particles::Particles;
 use crate::sample::plan::Plan;
@@ -29,7 +30,7 @@ pub(super) fn evaluate<T: Scalar, const D: usize>(
     let start = Instant::now();
     let frame = plan.units.frame::<D>();
     let along: [&[f64]; D] = std::array::from_fn(|axis| points.along(plan.axes[axis]));
-    let sums = Sums { plan, scene: &scene, method: plan.request.estimate.method() };
+    let sums = Sums { plan, scene: &scene };
     let mut columns = empty_columns(plan, points.len());
     let mut slices: Vec<&mut [f64]> = columns.iter_mut().map(Vec::as_mut_slice).collect();
     let counts = fill(plan, &mut slices, points.len(), progress, |point, near, at, counts| {
@@ -42,7 +43,6 @@ pub(super) fn evaluate<T: Scalar, const D: usize>(
 struct Sums<'a, T, const D: usize> {
     plan: &'a Plan<'a>,
     scene: &'a Scene<T, D>,
-    method: &'a dyn Method<T, D>,
 }
 
 impl<T: Scalar, const D: usize> Sums<'_, T, D> {
@@ -70,8 +70,28 @@ impl<T: Scalar, const D: usize> Sums<'_, T, D> {
             });
         }
         if !scene.values.is_empty() {
-            let around = Around { stencil, x, volumes: &scene.volumes, values: &scene.values, gradient };
-            counts.ill_conditioned += usize::from(!self.method.exact(around, &mut at.fields));
+            let estimate = self.plan.request.estimate;
+            let is_carried = match gradient {
+                true => with_estimate!(estimate, gradient E => self.fields::<E>(stencil, x, at)),
+                false => with_estimate!(estimate, value E => self.fields::<E>(stencil, x, at)),
+            };
+            counts.not_carried += usize::from(!is_carried && !stencil.is_empty());
         }
+    }
+
+    /// Appends what the fields are at x by an estimate. Returns whether the particles in reach carry it.
+    fn fields<E: Estimate<T, D>>(
+        &self,
+        stencil: Stencil<'_, T, D>,
+        x: &[T; D],
+        at: &mut AtPoint<T, D>,
+    ) -> bool {
+        let volumes = Sources::assume_checked(stencil, stencil.pick(&self.scene.volumes));
+        let basis = E::basis(volumes.moments_at::<E>(stencil, x), self.scene.reach);
+        at.fields.extend(self.scene.values.iter().map(|values| {
+            let field = Field::new(&volumes, stencil.pick(values)).ok()?;
+            field.finish_at::<E>(basis.as_ref()?, stencil, x)
+        }));
+        basis.is_some()
     }
 }

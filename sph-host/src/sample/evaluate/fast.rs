@@ -1,4 +1,4 @@
-//! The fast path: f32 and f64, the estimates that are quotients of sums.
+//! The fast path: f32 and f64.
 //!
 //! The same sums as on the exact path over the same particles, in another order. No bit depends on the number of threads, nor
 //! on the processor.
@@ -9,16 +9,16 @@ use sph_core::{Error, Scalar, Uniform, field};
 
 use super::rows::{Counts, Evaluated, empty_columns, fill};
 use super::scene::{fitted, positions};
-use crate::fast::{Fields, RadiusOctaves, Real, SortedCells, Sums};
+use crate::fast::{Estimates, Fields, RadiusOctaves, Real, Samples, SortedCells};
 use crate::kernel_choice::{KernelName, with_kernel};
 use crate::parallel;
 use crate::progress::Progress;
 use crate::sample::error::SampleError;
-use crate::sample::estimate::{FromSums, local};
-use crate::sample::found::AtPoint;
+use crate::sample::found::{AtPoint, Local};
 use crate::sample::particles::{Particles, Support};
 use crate::sample::plan::Plan;
 use crate::sample::points::Points;
+use crate::sample::request::Request;
 
 /// Points that are evaluated together.
 const BATCH: usize = 1 << 17;
@@ -37,9 +37,8 @@ pub(super) fn evaluate<T: Real, const D: usize>(
     let search_seconds = start.elapsed().as_secs_f64();
 
     let start = Instant::now();
-    let weights = Weights::new(plan, particles, &positions, &set, points.are_particles)?;
-    let coefficients: Vec<&[T]> = weights.coefficients.iter().map(Vec::as_slice).collect();
-    let fields = set.fields(&coefficients).map_err(failed)?;
+    let carried = Carried::new(plan, particles, &positions, &set, points.are_particles)?;
+    let fields = carried.fields(&set).map_err(failed)?;
     let mut columns = empty_columns(plan, points.len());
     let mut counts = Counts::default();
     for first in (0..points.len()).step_by(BATCH) {
@@ -52,9 +51,9 @@ pub(super) fn evaluate<T: Real, const D: usize>(
             converted = converted_points(plan, points, first, end);
             &converted
         };
-        let sums = weights.sums(plan, &fields, at).map_err(failed)?;
-        let density = weights.at_particles.as_ref().map(|densities| &densities[first..end]);
-        let rows = Rows { sums: &sums, density, weights: &weights, from_sums: weights.from_sums };
+        let estimates = carried.at(plan, &fields, at).map_err(failed)?;
+        let density = carried.at_particles.as_ref().map(|densities| &densities[first..end]);
+        let rows = Rows { estimates: &estimates, density, carried: &carried };
         let work =
             |point, _: &mut (), at: &mut AtPoint<T, D>, counts: &mut Counts| rows.at(point, at, counts);
         counts = counts + fill(plan, &mut batch, end - first, progress, work);
@@ -93,10 +92,10 @@ impl<T: Real, const D: usize> Set<T, D> {
         }
     }
 
-    fn fields(&self, coefficients: &[&[T]]) -> Result<Fields<'_, T, D>, Error> {
+    fn samples(&self, samples: &Samples<'_, T>) -> Result<Fields<'_, T, D>, Error> {
         match self {
-            Self::Cells(cells) => cells.fields(coefficients),
-            Self::RadiusOctaves(octaves) => octaves.fields(coefficients),
+            Self::Cells(cells) => cells.samples(samples),
+            Self::RadiusOctaves(octaves) => octaves.samples(samples),
         }
     }
 
@@ -112,21 +111,20 @@ impl<T: Real, const D: usize> Set<T, D> {
     }
 }
 
-/// What the sums are weighted with, and what is known before them.
-struct Weights<T, const D: usize> {
-    /// m_j where densities are wanted by sums at points, V_j where the estimate needs it, V_j A_j field by field.
-    coefficients: Vec<Vec<T>>,
-    /// Whether masses are among the coefficients.
-    has_masses: bool,
-    /// Whether volumes are.
-    has_volumes: bool,
-    from_sums: FromSums<T, D>,
+/// What the particles carry, and what is known before the sums.
+struct Carried<T> {
+    /// m_j, where densities are wanted by sums at points.
+    masses: Option<Vec<T>>,
+    /// V_j; ones without masses and densities; empty where there are no fields.
+    volumes: Vec<T>,
+    /// A_j, field by field.
+    values: Vec<Vec<T>>,
     /// The densities at the particles, where points are the particles and no gradient is wanted.
     at_particles: Option<Vec<T>>,
 }
 
-impl<T: Real, const D: usize> Weights<T, D> {
-    fn new(
+impl<T: Real> Carried<T> {
+    fn new<const D: usize>(
         plan: &Plan<'_>,
         particles: &Particles,
         positions: &[[T; D]],
@@ -149,64 +147,73 @@ impl<T: Real, const D: usize> Weights<T, D> {
             }
             _ => None,
         };
-        let (mut coefficients, has_volumes) = (Vec::new(), has_fields && request.estimate.facts().weights);
+        let mut volumes = vec![T::ONE; if has_fields { positions.len() } else { 0 }];
         if has_fields {
-            let mut volumes = vec![T::ONE; positions.len()];
             match (&masses, given.as_ref().or(summed.as_ref())) {
                 (Some(masses), Some(densities)) => field::volumes(&masses[..], densities, &mut volumes),
                 (None, Some(densities)) => field::volumes(Uniform(T::ONE), densities, &mut volumes),
                 (_, None) => Ok(()),
             }
             .map_err(failed)?;
-            for (quantity, (name, unit)) in particles.quantities.iter().zip(&units.quantities) {
-                let mut values = column(&quantity.values, *unit, name)?;
-                values.iter_mut().zip(&volumes).for_each(|(value, &volume)| *value = volume * *value);
-                coefficients.push(values);
-            }
-            if has_volumes {
-                coefficients.insert(0, volumes);
-            }
         }
+        let quantities = particles.quantities.iter().zip(&units.quantities);
+        let values = quantities.map(|(quantity, (name, unit))| column(&quantity.values, *unit, name));
+        let values = values.collect::<Result<_, _>>()?;
         let at_particles = summed.filter(|_| at_particles);
-        let masses = masses.filter(|_| at_particles.is_none());
-        let has_masses = masses.is_some();
-        coefficients.splice(0..0, masses);
-        let from_sums = request.estimate.method().fast().unwrap_or(|field, _| Some(local(field)));
-        Ok(Self { coefficients, has_masses, has_volumes, from_sums, at_particles })
+        Ok(Self { masses: masses.filter(|_| at_particles.is_none()), volumes, values, at_particles })
     }
 
-    /// The sums at some points. At particles whose densities are all that is wanted there is nothing to sum: each has itself in
-    /// reach.
-    fn sums(&self, plan: &Plan<'_>, fields: &Fields<'_, T, D>, at: &[[T; D]]) -> Result<Sums<T>, Error> {
-        if self.coefficients.is_empty() && self.at_particles.is_some() {
-            return Ok(Sums { values: Vec::new(), reached: vec![1; at.len()] });
+    /// The particles with what sums at points read of them.
+    fn fields<'a, const D: usize>(&self, set: &'a Set<T, D>) -> Result<Fields<'a, T, D>, Error> {
+        let coefficients: Vec<&[T]> = self.masses.iter().map(Vec::as_slice).collect();
+        let values: Vec<&[T]> = self.values.iter().map(Vec::as_slice).collect();
+        set.samples(&Samples { coefficients: &coefficients, volumes: &self.volumes, values: &values })
+    }
+
+    /// The estimates at some points. At particles whose densities are all that is wanted there is nothing to sum: each has itself
+    /// in reach.
+    fn at<const D: usize>(
+        &self,
+        plan: &Plan<'_>,
+        fields: &Fields<'_, T, D>,
+        points: &[[T; D]],
+    ) -> Result<Estimates<T>, Error> {
+        if self.values.is_empty() && self.at_particles.is_some() {
+            let (reached, carried) = (vec![1; points.len()], vec![true; points.len()]);
+            return Ok(Estimates { values: Vec::new(), reached, carried });
         }
-        with_kernel!(plan.request.kernel, K => fields.at::<K>(at, plan.request.gradient))
+        let Request { kernel, estimate, gradient, .. } = *plan.request;
+        with_kernel!(kernel, K => fields.estimate::<K>(estimate, points, gradient))
     }
 }
 
-/// From sums to what is found at a point.
-struct Rows<'a, T, const D: usize> {
-    sums: &'a Sums<T>,
+/// From estimates to what is found at a point.
+struct Rows<'a, T> {
+    estimates: &'a Estimates<T>,
     /// The densities, where they are known without sums.
     density: Option<&'a [T]>,
-    weights: &'a Weights<T, D>,
-    from_sums: FromSums<T, D>,
+    carried: &'a Carried<T>,
 }
 
-impl<T: Real, const D: usize> Rows<'_, T, D> {
-    fn at(&self, point: usize, at: &mut AtPoint<T, D>, counts: &mut Counts) {
-        let Self { sums, density, weights, from_sums } = self;
-        counts.out_of_reach += usize::from(sums.reached[point] == 0);
-        let fields = weights.coefficients.len();
-        let width = sums.values.len() / sums.reached.len() / fields.max(1);
-        let mut sums = sums.values[point * width * fields..][..width * fields].chunks_exact(width.max(1));
+impl<T: Real> Rows<'_, T> {
+    fn at<const D: usize>(&self, point: usize, at: &mut AtPoint<T, D>, counts: &mut Counts) {
+        let Self { estimates: Estimates { values, reached, carried }, density, carried: known } = self;
+        let is_empty = reached[point] == 0;
+        counts.out_of_reach += usize::from(is_empty);
+        counts.not_carried += usize::from(!carried[point] && !is_empty);
+        let sums = usize::from(known.masses.is_some()) + known.values.len();
+        let width = values.len() / reached.len() / sums.max(1);
+        let mut sums = values[point * width * sums..][..width * sums].chunks_exact(width.max(1)).map(local);
         at.density = match density {
             Some(densities) => Some((densities[point], [T::ZERO; D])),
-            None if weights.has_masses => sums.next().map(local),
-            None => None,
+            None => known.masses.as_ref().and_then(|_| sums.next()),
         };
-        let volumes = if weights.has_volumes { sums.next() } else { None };
-        at.fields.extend(sums.map(|field| from_sums(field, volumes.unwrap_or(&[]))));
+        at.fields.extend(sums.map(|field| carried[point].then_some(field)));
     }
+}
+
+/// A value and its gradient, which is zero where there is none.
+fn local<T: Scalar, const D: usize>(row: &[T]) -> Local<T, D> {
+    let slope = |axis: usize| row.get(1 + axis).copied().unwrap_or(T::ZERO);
+    (row[0], std::array::from_fn(slope))
 }

@@ -22,8 +22,8 @@ pub(in crate::sample) struct Evaluated {
 pub(in crate::sample) struct Counts {
     /// Points with no particle in reach.
     pub(in crate::sample) out_of_reach: usize,
-    /// Points whose particles do not carry the corrected estimate.
-    pub(in crate::sample) ill_conditioned: usize,
+    /// Points whose particles do not carry the estimate.
+    pub(in crate::sample) not_carried: usize,
     /// Values outside the range of the scalar.
     pub(in crate::sample) overflowed: usize,
 }
@@ -34,7 +34,7 @@ impl std::ops::Add for Counts {
     fn add(self, other: Self) -> Self {
         Self {
             out_of_reach: self.out_of_reach + other.out_of_reach,
-            ill_conditioned: self.ill_conditioned + other.ill_conditioned,
+            not_carried: self.not_carried + other.not_carried,
             overflowed: self.overflowed + other.overflowed,
         }
     }
