@@ -7,7 +7,6 @@ pub mod cli;
 pub mod demo;
 mod engine;
 pub mod estimate_choice;
-pub mod failure;
 pub mod fast;
 pub mod io;
 pub mod kernel_choice;
@@ -22,4 +21,3 @@ pub mod scalar_choice;
 
 #[doc(hidden)]
 pub use engine::Tank;
-pub use failure::Failure;

@@ -5,8 +5,8 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 
+use super::failure::Failure;
 use super::to_stdout;
-use crate::failure::Failure;
 use crate::kernel_choice::KernelName;
 use crate::output::{Format, Precision, Target, shortest};
 use crate::picture::plot::{self, Mark, Plot, Series};

@@ -1,6 +1,7 @@
 //! The command line of `fluisim`: words in, exit status out. The work is done elsewhere.
 
 mod choices;
+mod failure;
 mod kernels;
 mod parse;
 mod progress;
@@ -13,8 +14,8 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
-use crate::failure::Failure;
 use crate::output;
+use failure::Failure;
 
 /// Smoothed Particle Hydrodynamics: fields and gradients out of particle files, and the kernels behind them.
 ///

@@ -5,9 +5,9 @@ use std::path::PathBuf;
 
 use clap::Args;
 
+use super::failure::Failure;
 use super::progress::Bar;
 use super::{parse, say, to_stdout};
-use crate::failure::Failure;
 use crate::kernel_choice::KernelName;
 use crate::run::{self, CaseName, Earlier, Error, Options, Output, Solver, either};
 use crate::scalar_choice::ScalarName;

@@ -7,30 +7,25 @@ use std::time::Instant;
 use clap::{ArgGroup, Args};
 use serde_json::{Map, Value, json};
 
+use super::failure::Failure;
 use super::parse::{self, Bounds, Counts};
 use super::progress::Bar;
 use super::sample_messages::{explain, in_words, unknown_set};
 use super::{say, to_stdout};
 use crate::demo;
 use crate::estimate_choice::Estimate;
-use crate::failure::Failure;
+use crate::io;
 use crate::kernel_choice::KernelName;
 use crate::output::{self, Target};
 use crate::sample::{self, ParticleSource, Request, SamplePoints, Sampled, SupportFrom};
 use crate::scalar_choice::ScalarName;
 
 /// Evaluate the fields of a particle set at points, on a grid, or at the particles themselves.
-///
-/// PARTICLES is a file (.csv, .tsv, .vtk, .vtu, .vtp, .npz) or a built-in set: demo:vortex, demo:drop, demo:lattice.
-/// Special columns are x, y, z, m or mass, rho or density, in any case of letters. The result goes to stdout as CSV, or to
-/// --out in the format that its ending names: .csv, .npz, .vtk, .vtu, .vti, .png. Its columns are the coordinates, density,
-/// each quantity, and with --gradient NAME_dx, NAME_dy, NAME_dz.
-///
-/// Example: fluisim sample demo:vortex --grid 256,256 --quantity velocity_x --gradient --out vortex.png
 #[derive(Debug, Args)]
+#[command(long_about = long_about())]
 #[command(group = ArgGroup::new("where").required(true).args(["at", "grid", "at_particles"]))]
 pub(super) struct SampleArgs {
-    /// A particle file, or demo:vortex, demo:drop, demo:lattice
+    #[arg(help = format!("A particle file, or {}", sets()))]
     particles: PathBuf,
 
     /// Evaluate at the points of this file
@@ -89,8 +84,7 @@ pub(super) struct SampleArgs {
     #[arg(long = "particles", value_name = "N", value_parser = parse::count)]
     count: Option<usize>,
 
-    /// Read so many particles at a time, for a .csv, .tsv or .npz file larger than memory, at points or on a grid
-    #[arg(long, value_name = "N", value_parser = parse::count, conflicts_with = "at_particles")]
+    #[arg(long, value_name = "N", value_parser = parse::count, conflicts_with = "at_particles", help = chunk_help())]
     chunk: Option<usize>,
     /// Threads; without it, one for each core. No bit of the result depends on it
     #[arg(long, value_name = "N", value_parser = parse::count)]
@@ -111,6 +105,33 @@ pub(super) struct SampleArgs {
     /// End stderr with a line of JSON that says where the time went
     #[arg(long)]
     timing: bool,
+}
+
+/// The built-in sets.
+fn sets() -> String {
+    demo::SETS.iter().map(|(name, _)| format!("demo:{name}")).collect::<Vec<_>>().join(", ")
+}
+
+fn long_about() -> String {
+    format!(
+        "Evaluate the fields of a particle set at points, on a grid, or at the particles themselves.\n\n\
+         PARTICLES is a file ({}) or a built-in set: {}. Special columns are x, y, z, m or mass, rho or density, in any case of \
+         letters. The result goes to stdout as CSV, or to --out in the format that its ending names: {}. Its columns are the \
+         coordinates, density, each quantity, and with --gradient NAME_dx, NAME_dy, NAME_dz.\n\n\
+         Example: fluisim sample demo:vortex --grid 256,256 --quantity velocity_x --gradient --out vortex.png",
+        io::ENDINGS.join(", "),
+        sets(),
+        output::ENDINGS.join(", "),
+    )
+}
+
+fn chunk_help() -> String {
+    let endings =
+        io::FORMATS.iter().filter(|format| format.is_read_in_pieces()).flat_map(|format| format.endings);
+    let endings = endings.copied().collect::<Vec<_>>().join(", ");
+    format!(
+        "Read so many particles at a time, for a file larger than memory ({endings}), at points or on a grid"
+    )
 }
 
 /// Samples as the words say.

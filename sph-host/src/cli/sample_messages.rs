@@ -1,7 +1,7 @@
 //! What `fluisim sample` says of errors and warnings: which option to change.
 
+use super::failure::Failure;
 use crate::demo;
-use crate::failure::Failure;
 use crate::kernel_choice::KernelName;
 use crate::sample::{SampleError, SamplePoints, Significant, Warning};
 
@@ -9,7 +9,6 @@ use crate::sample::{SampleError, SamplePoints, Significant, Warning};
 pub(super) fn explain(error: SampleError) -> Failure {
     let advice = match &error {
         SampleError::UnknownSet { name } => return unknown_set(name),
-        SampleError::ReadTwice { .. } => ": copy it to a file, or leave out --chunk",
         SampleError::PiecesAsPoints { .. } => ": leave out --chunk",
         SampleError::NoMass { .. } => {
             ": neither a column `m` or `mass` nor --mass; only --estimate shepard does without, and not where densities are \
@@ -26,7 +25,6 @@ pub(super) fn explain(error: SampleError) -> Failure {
         SampleError::OutOfRange { .. }
         | SampleError::PositionOutOfRange { .. }
         | SampleError::BoxOutOfRange { .. } => ": choose another --scalar",
-        SampleError::Read(_) => "",
         _ => "",
     };
     let message = format!("{error}{advice}");

@@ -33,12 +33,6 @@ pub enum SampleError {
         /// The particles' file.
         file: String,
     },
-    /// A file that is to be read twice and gives its bytes once only.
-    #[error("{file}: not a regular file: it cannot be read twice, as reading in pieces does")]
-    ReadTwice {
-        /// The particles' file.
-        file: String,
-    },
     /// The particles, read in pieces, are to be the points as well.
     #[error("{file}: particles that are read in pieces cannot be the points as well")]
     PiecesAsPoints {

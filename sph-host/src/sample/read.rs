@@ -1,6 +1,6 @@
 //! From files and built-in sets to tables, nothing in them checked.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use super::error::SampleError;
 use super::request::{ParticleSource, Request, SamplePoints};
@@ -25,7 +25,7 @@ pub(super) enum Input {
 /// Reads the tables of a request.
 pub(super) fn read(request: &Request) -> Result<Tables, SampleError> {
     let particles = match (&request.particles, request.chunk) {
-        (ParticleSource::File(path), Some(most)) => pieces(path, most)?,
+        (ParticleSource::File(path), Some(most)) => Input::Pieces(path.clone(), most),
         (ParticleSource::File(path), None) => Input::Whole(io::read(path)?, None),
         (ParticleSource::Demo(name, count), _) => {
             let unknown = || SampleError::UnknownSet { name: name.clone() };
@@ -38,12 +38,4 @@ pub(super) fn read(request: &Request) -> Result<Tables, SampleError> {
         SamplePoints::Grid { .. } | SamplePoints::AtParticles => None,
     };
     Ok(Tables { particles, points })
-}
-
-fn pieces(path: &Path, most: usize) -> Result<Input, SampleError> {
-    // where there is no file, opening it says so
-    if path.metadata().is_ok_and(|file| !file.is_file()) {
-        return Err(SampleError::ReadTwice { file: path.display().to_string() });
-    }
-    Ok(Input::Pieces(path.to_owned(), most))
 }

@@ -234,18 +234,21 @@ fn check_estimates<T: Real, K: Kernel, const D: usize>(cloud: &Cloud<T, D>, tole
                         );
                     }
                 }
-                // with few on one side rounding is larger by the condition number
-                if estimate == Estimate::Corrected && 2 * reached > *most {
-                    let row = &row[1 + D..];
-                    let size = 20.0 * (1.0 + plane(x).abs());
-                    assert!((row[0].to_f64() - plane(x)).abs() <= tolerance * size * 5.0, "{x:?} {row:?}");
+                // rounding is larger by the condition number, which is at most 1e8 in f64 and 1e4 in f32; in the middle it is small
+                if estimate == Estimate::Corrected && is_carried {
+                    let epsilon = T::EPSILON.to_f64();
+                    let worst = epsilon * if epsilon < 1e-12 { 1e8 } else { 1e4 };
+                    let is_inside = 2 * reached > *most;
+                    let relative = if is_inside { 100.0 * tolerance } else { worst };
+                    let (row, most) = (&row[1 + D..], 20.0 * relative * (1.0 + plane(x).abs()));
+                    assert!((row[0].to_f64() - plane(x)).abs() <= most, "{x:?} {row:?}");
                     for axis in 0..D {
                         let error = row[1 + axis].to_f64() * h - slopes[axis];
-                        assert!(error.abs() <= 100.0 * tolerance * size, "{x:?} {row:?}");
+                        assert!(error.abs() <= most, "{x:?} {row:?}");
                     }
                 }
             }
-            assert!(carried > 2 * points.len() / 2, "{estimate:?}: {carried}");
+            assert!(carried > points.len(), "{estimate:?}: {carried}");
             for level in InstructionSet::available() {
                 let same = at(level, true);
                 let bits = |found: &Estimates<T>| -> Vec<u64> {

@@ -53,7 +53,7 @@ fn errors_are_as_stated() {
     let wrong: Vec<String> = [
         off::<f32>(2e-7, 2e-7),
         off::<Fast32>(2e-7, 2e-7),
-        off::<Saturating<I8F24>>(1.4e-7, 2e-7),
+        off::<Saturating<I8F24>>(8e-8, 2e-7),
         off::<Saturating<I16F16>>(4e-5, 8e-5),
         off::<Saturating<I4F12>>(6e-4, 1.5e-3),
         off::<Wrapping<I4F12>>(6e-4, 1.5e-3),

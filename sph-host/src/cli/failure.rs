@@ -7,7 +7,7 @@ use crate::output::WriteError;
 
 /// One clear message, and whether the words of the command line or the files and data are at fault.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Failure {
+pub(super) enum Failure {
     /// The words are wrong: exit status 2.
     Usage(String),
     /// The input or the run is at fault: exit status 1.
@@ -16,18 +16,17 @@ pub enum Failure {
 
 impl Failure {
     /// The words are wrong.
-    pub fn usage(message: impl Into<String>) -> Self {
+    pub(super) fn usage(message: impl Into<String>) -> Self {
         Self::Usage(message.into())
     }
 
     /// Files or data are at fault.
-    pub fn input(message: impl Into<String>) -> Self {
+    pub(super) fn input(message: impl Into<String>) -> Self {
         Self::Input(message.into())
     }
 
     /// The exit status.
-    #[must_use]
-    pub fn status(&self) -> u8 {
+    pub(super) fn status(&self) -> u8 {
         match self {
             Self::Usage(_) => 2,
             Self::Input(_) => 1,
@@ -47,7 +46,8 @@ impl std::error::Error for Failure {}
 impl From<ReadError> for Failure {
     fn from(error: ReadError) -> Self {
         match error {
-            ReadError::UnknownEnding { .. } | ReadError::NotInPieces { .. } => Self::Usage(error.to_string()),
+            ReadError::UnknownEnding { .. } => Self::Usage(error.to_string()),
+            ReadError::NotInPieces { .. } => Self::Usage(format!("{error}; leave out --chunk")),
             _ => Self::Input(error.to_string()),
         }
     }
