@@ -44,16 +44,6 @@ fn two_results_of_one_name_are_found_before_the_work() {
     );
 }
 
-#[cfg(unix)]
-#[test]
-fn a_pipe_is_not_read_twice() {
-    let folder = Folder::new();
-    let made = std::process::Command::new("mkfifo").arg(folder.path("p.csv")).status().unwrap();
-    assert!(made.success());
-    let parts = ["p.csv", "--chunk", "twice"];
-    folder.fail_with(1, "sample p.csv --support 1 --grid 5 --chunk 2", &parts);
-}
-
 #[test]
 fn messages_name_the_option_to_change() {
     let folder = Folder::with("p.csv", "x,y,m\n1,2,1\n1,2,1\n");
