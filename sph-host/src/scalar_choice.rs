@@ -4,7 +4,33 @@ use sph_core::Scalar;
 
 use crate::named_enum::named_enum;
 
-/// The enum of the listed scalars.
+/// Calls a macro with the scalars that the command offers: those of sph-core's list without formats that are compiled for
+/// firmware alone, since every scalar here is compiled for all sums in all dimensions.
+macro_rules! offered {
+    ([$($list:tt)+] $($then:tt)+) => {
+        $crate::scalar_choice::offered! { @ [] ($($then)+) $($list)+ }
+    };
+    (@ $kept:tt $then:tt I4F12: $Scalar:ty, $about:tt; $($rest:tt)*) => {
+        $crate::scalar_choice::offered! { @ $kept $then $($rest)* }
+    };
+    (@ $kept:tt $then:tt I12F20: $Scalar:ty, $about:tt; $($rest:tt)*) => {
+        $crate::scalar_choice::offered! { @ $kept $then $($rest)* }
+    };
+    (@ $kept:tt $then:tt I20F12: $Scalar:ty, $about:tt; $($rest:tt)*) => {
+        $crate::scalar_choice::offered! { @ $kept $then $($rest)* }
+    };
+    (@ $kept:tt $then:tt I16F48: $Scalar:ty, $about:tt; $($rest:tt)*) => {
+        $crate::scalar_choice::offered! { @ $kept $then $($rest)* }
+    };
+    (@ [$($kept:tt)*] $then:tt $Name:ident: $Scalar:ty, $about:tt; $($rest:tt)*) => {
+        $crate::scalar_choice::offered! { @ [$($kept)* $Name: $Scalar, $about;] $then $($rest)* }
+    };
+    (@ $kept:tt ($callback:ident $($context:tt)*)) => {
+        $crate::scalar_choice::$callback! { $kept $($context)* }
+    };
+}
+
+/// The enum of the offered scalars.
 macro_rules! choices {
     ([$($Name:ident: $Scalar:ty, $about:tt;)+]) => {
         named_enum! {
@@ -13,7 +39,7 @@ macro_rules! choices {
         }
     };
 }
-sph_core::for_each_scalar!(choices);
+sph_core::for_each_scalar!(offered; choices);
 
 /// Evaluates an expression with `T` standing for the type of a [`ScalarName`].
 macro_rules! with_scalar {
@@ -26,10 +52,11 @@ macro_rules! with_scalar {
         }
     };
     ($name:expr, $T:ident => $body:expr) => {
-        sph_core::for_each_scalar!($crate::scalar_choice::with_scalar; $name, $T => $body)
+        sph_core::for_each_scalar!($crate::scalar_choice::offered; with_scalar $name, $T => $body)
     };
 }
-pub(crate) use with_scalar;
+
+pub(crate) use {choices, offered, with_scalar};
 
 #[cfg(test)]
 mod tests {

@@ -55,7 +55,10 @@ impl<T: Scalar, const D: usize> Estimate<T, D> for Corrected {
     ) {
         let weight = term.weight() * term.influence();
         let inverse_reach = term.inverse_reach();
-        let d = term.offset().map(|component| -component * inverse_reach);
+        let mut d = term.offset();
+        for component in &mut d {
+            *component = -*component * inverse_reach;
+        }
         [A::ONE, term.support_radius() * inverse_reach].add_weighted(sum, weight);
         d.add_weighted(first, weight);
         for (row, &component) in second.iter_mut().zip(&d) {

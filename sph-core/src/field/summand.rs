@@ -64,7 +64,12 @@ impl<T: Scalar, A: Lane<T>, S: Summand<T, A>, const N: usize> Summand<T, A> for 
 
     #[inline(always)]
     fn total(sums: Self::Sum) -> Self::Total {
-        sums.map(S::total)
+        // in a loop: what `map` makes of several numbers side by side is compiled without their instructions
+        let mut total = [S::total(S::EMPTY); N];
+        for (total, sum) in total.iter_mut().zip(sums) {
+            *total = S::total(sum);
+        }
+        total
     }
 }
 

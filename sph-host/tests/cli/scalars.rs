@@ -1,5 +1,7 @@
 //! Every number type does the work, as well as its digits allow.
 
+use sph_host::scalar_choice::ScalarName;
+
 use crate::support::{Columns, Folder, magnitude};
 
 /// Value and gradient errors that a type is allowed, relative to the largest magnitude of a column.
@@ -16,13 +18,10 @@ const SCALARS: [(&str, f64, f64); 6] = [
 /// Every scalar of the list can be chosen and named.
 #[test]
 fn all_listed_scalars_are_taken() {
-    macro_rules! names {
-        ([$($Name:ident: $Scalar:ty, $about:tt;)+]) => { [$(<$Scalar as sph_core::Scalar>::NAME),+] };
-    }
     let folder = Folder::new();
     let help = folder.succeed("sample --help").stdout;
-    for scalar in sph_core::for_each_scalar!(names) {
-        assert!(help.contains(scalar), "{scalar} is not in the help");
+    for scalar in ScalarName::ALL {
+        assert!(help.contains(scalar.name()), "{scalar} is not in the help");
         let found =
             folder.columns(&format!("sample demo:vortex --particles 100 --grid 3,3 --scalar {scalar}"));
         assert!(found.get("density").iter().all(|density| *density > 0.0), "{scalar}");
