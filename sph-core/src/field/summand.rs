@@ -64,7 +64,10 @@ impl<T: Scalar, A: Lane<T>, S: Summand<T, A>, const N: usize> Summand<T, A> for 
 
     #[inline(always)]
     fn total(sums: Self::Sum) -> Self::Total {
-        // in a loop: what `map` makes of several numbers side by side is compiled without their instructions
+        // `map` is smaller on microcontrollers; several numbers side by side need a loop, which keeps the instructions of their registers
+        if const { size_of::<A>() == size_of::<T>() } {
+            return sums.map(S::total);
+        }
         let mut total = [S::total(S::EMPTY); N];
         for (total, sum) in total.iter_mut().zip(sums) {
             *total = S::total(sum);
