@@ -240,7 +240,7 @@ pub enum Warning {
     #[error("there are no points: the result has a header alone")]
     NoPoints,
     /// Particles in space that all lie in a plane or on a line across axes.
-    #[error("{file}: {} the same everywhere, but sums run over 3 dimensions", named(.constant))]
+    #[error("{file}: {} everywhere, but sums run over 3 dimensions", named(.constant))]
     Flat {
         /// The particles' file.
         file: String,
