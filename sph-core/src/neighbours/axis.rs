@@ -111,7 +111,11 @@ impl<T: Scalar, const D: usize> Space<T, D> for Open {
 /// [`Domain::wrap`] in any space.
 #[inline(always)]
 pub(super) fn wrap<T: Scalar, const D: usize>(space: &impl Space<T, D>, x: &[T; D]) -> [T; D] {
-    core::array::from_fn(|axis| wrap_along(&space.axis(axis), x[axis]))
+    let mut wrapped = *x;
+    for (axis, coordinate) in wrapped.iter_mut().enumerate() {
+        *coordinate = wrap_along(&space.axis(axis), *coordinate);
+    }
+    wrapped
 }
 
 /// Every coordinate is finite, and inside on periodic axes.
