@@ -1,12 +1,12 @@
 //! sph-core on a workstation: memory, threads, particle files, pictures, and the command `fluisim`.
 //!
-//! The tour, from files to files:
+//! The modules, from input files to output files:
 //!
 //! 1. [`io`]: particle files, read and checked into tables.
 //! 2. [`fast`]: particles sorted, and densities, neighbour lists and fields from them, in registers and threads.
 //! 3. [`sample`]: one request for fields, from a file to a table. It takes the fast path, or sph-core's own order of summation.
 //! 4. [`run`]: fluids that move, in cases that are measured against experiment and exact solutions.
-//! 5. [`output`] and [`picture`]: tables as files, and what people look at.
+//! 5. [`output`] and [`picture`]: tables as files, and as images and plots.
 //! 6. [`cli`]: the words of the command. Nothing else here knows them: everything that `fluisim` does is a call of this library.
 //!
 //! Kernels, number types and estimates are chosen when the program runs by [`kernel_choice`], [`scalar_choice`] and [`estimate_choice`].
@@ -15,10 +15,10 @@
 //! # What can be relied on
 //!
 //! * **Bits.** The same input and options give the same bytes, whatever the number of threads and the processor. With
-//!   [`exact`](sample::Request::exact) they are those of firmware: [`sample`] says which.
+//!   [`exact`](sample::Request::exact) they are the same as on a microcontroller; see [`sample`].
 //! * **Errors** are typed and name file, line, value and what was expected; nothing is half-written.
 //!
-//! What lives where, and where a new kernel, format, case, reader or writer goes: `docs/architecture.md`.
+//! What lives where, and where a new kernel, format, case, reader, writer or field operator goes: `docs/architecture.md`.
 
 pub mod cli;
 pub mod demo;

@@ -58,6 +58,9 @@ impl Reads {
 /// Terms are written once, for one sample at a time or several in a [`Lane`]. There are two kinds of sums: the moments, to
 /// which only the samples' positions and volumes contribute, so that all fields at a point share them, and those of one field.
 ///
+/// Every sum must be linear in W and ∇W together. A fast path gives terms without the constant σ h⁻ᴰ of the kernel and
+/// multiplies the sums by it.
+///
 /// ```
 /// use sph_core::field::{Estimate, Reads, Summand, Term};
 /// use sph_core::{BruteForce, Field, KernelInfluence, Lane, Scalar, Sources, Uniform, kernel::CubicSpline};

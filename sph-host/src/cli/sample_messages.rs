@@ -2,6 +2,7 @@
 
 use super::failure::Failure;
 use crate::demo;
+use crate::estimate_choice::Estimate;
 use crate::kernel_choice::KernelName;
 use crate::sample::{SampleError, SamplePoints, Significant, Warning};
 
@@ -10,10 +11,10 @@ pub(super) fn explain(error: SampleError) -> Failure {
     let advice = match &error {
         SampleError::UnknownSet { name } => return unknown_set(name),
         SampleError::PiecesAsPoints { .. } => ": leave out --chunk",
-        SampleError::NoMass { .. } => {
-            ": neither a column `m` or `mass` nor --mass; only --estimate shepard does without, and not where densities are \
-             summed"
-        }
+        SampleError::NoMass { .. } => &format!(
+            ": neither a column `m` or `mass` nor --mass; only --estimate {} does without, and not where densities are summed",
+            without_mass()
+        ),
         SampleError::NoSupport { spacing, kernel, .. } => &no_support(*spacing, *kernel),
         SampleError::TooFewCoordinates { asked, .. } => &format!(" by --dim {asked}"),
         SampleError::NotFlat { dim, .. } => &format!(": --dim {dim} needs it to be"),
@@ -51,6 +52,13 @@ pub(super) fn in_words(warning: &Warning) -> String {
         _ => "",
     };
     format!("{warning}{advice}")
+}
+
+/// The estimates that need no mass.
+fn without_mass() -> String {
+    let names: Vec<&str> =
+        Estimate::ALL.iter().filter(|one| !one.needs_mass()).map(|one| one.name()).collect();
+    names.join(" or ")
 }
 
 /// The error for the name of a built-in set that is none.
