@@ -2,7 +2,7 @@
 //!
 //! What divides Shepard's sums is the density that volumes have in place of masses, so both are the same moments.
 
-use super::{Shepard, ShepardWithGradient};
+use super::ShepardWithGradient;
 use crate::samples::check_length;
 use crate::{
     Accumulator, Error, Influence, InfluenceOf, Neighbours, Parameter, PerSample, Scalar, Sources, Uniform,
@@ -12,7 +12,12 @@ use crate::{
 impl<T: Scalar, const D: usize, N: Neighbours<T, D>, M: PerSample<T>> Sources<T, D, N, M> {
     /// ρ(x) = Σ m_j W(x − x_j), units M L^{-D}. With volumes as weights it is Σ V_j W, near 1 inside the samples.
     pub fn density_at(&self, w: impl InfluenceOf<T, D>, x: &[T; D]) -> T {
-        self.moments_at::<Shepard>(w, x)
+        // a loop of its own: through the moments of an estimate a pair costs up to 3 instructions more in fixed point
+        let mut sum = T::Sum::ZERO;
+        self.for_each(w, x, |neighbour, mass, influence| {
+            sum.add(mass * influence.influence(neighbour.distance_squared));
+        });
+        sum.total()
     }
 
     /// ρ(x) and ∇ρ(x) = Σ m_j ∇W(x − x_j), units M L^{-D} and M L^{-D-1}.
