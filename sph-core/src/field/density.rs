@@ -1,6 +1,6 @@
 //! ρ(x) = Σ m_j W(x − x_j), the sample itself included (Thm 3.2), and V_j = m_j / ρ_j.
 //!
-//! What divides Shepard's sums is the density that volumes have in place of masses, so both are the same moments.
+//! ρ and ∇ρ are the moments of Shepard's form, with masses in place of volumes.
 
 use super::ShepardWithGradient;
 use crate::samples::check_length;
