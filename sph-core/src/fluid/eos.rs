@@ -68,11 +68,13 @@ impl<T: Scalar> EquationOfState<T> {
     }
 
     /// ρ₀
+    #[inline]
     pub fn rest_density(&self) -> T {
         self.rest_density
     }
 
     /// c₀
+    #[inline]
     pub fn sound_speed(&self) -> T {
         self.sound_speed
     }

@@ -1,6 +1,5 @@
 //! The neighbours of some particles now: of the candidates in their rows those within the support radius, with offsets and slopes.
 
-use std::marker::PhantomData;
 use std::ops::Range;
 
 use sph_core::vector::norm_squared;
@@ -9,14 +8,15 @@ use sph_core::{Arithmetic, Lane};
 use super::records::ParticleRecords;
 use super::verlet_lists::ListChunk;
 use crate::fast::{
-    BLOCK, Evaluate, InstructionSet, Isa, Job, Real, Register, last_store, reserve, sixteen_mut,
+    BLOCK, Evaluate, Evaluator, InstructionSet, Isa, Job, Real, Register, evaluator, fronts, last_store,
+    reserve, sixteen_mut,
 };
 use crate::kernel_choice::{KernelName, with_kernel};
 
 /// The kernel of a run.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SimdKernel<T> {
-    pub(super) name: KernelName,
+    evaluate: Evaluator<T>,
     /// 1/h²
     inverse_square: T,
     /// σ h^{-D−2}: ∇W = this · f′(q)/q · x
@@ -30,7 +30,7 @@ impl<T: Real> SimdKernel<T> {
         let h = support.to_f64();
         let constant = kernel.normalisation(D as u32) / h.powi(D as i32 + 2);
         Self {
-            name: kernel,
+            evaluate: with_kernel!(kernel, K => evaluator::<T, K>(D)),
             inverse_square: T::from_f64(1.0 / (h * h)),
             gradient_scale: T::from_f64(constant),
             level: InstructionSet::best(),
@@ -108,11 +108,7 @@ impl<T: Real, const D: usize> Neighbourhoods<T, D> {
             Needed::Profiles => (&mut self.profiles[..end], &mut []),
             Needed::Slopes => (&mut [], &mut self.slopes[..end]),
         };
-        with_kernel!(kernel.name, K => {
-            let profile_of = PhantomData::<K>;
-            let evaluate = Evaluate::<_, _, D> { squares, inverse: T::ONE, inverses: None, profiles, slopes, kernel: profile_of };
-            T::dispatch(kernel.level, evaluate);
-        });
+        (kernel.evaluate)(kernel.level, Evaluate { squares, scale: T::ONE, profiles, slopes });
     }
 
     #[inline(always)]
@@ -201,10 +197,7 @@ impl<T: Real, P: Iterator<Item = usize>, const D: usize> Job<T> for FindNeighbou
                 let room = end + (row.len() + 1) * BLOCK;
                 near.reserve(room);
                 let (squares, found) = (&mut near.squares[..room], &mut near.places[..room]);
-                let offsets = near.offsets.each_mut().map(
-                    #[inline(always)]
-                    |axis| &mut axis[..room],
-                );
+                let offsets = fronts(&mut near.offsets, room);
                 let last_store = last_store(room, width);
                 for block in row {
                     for part in 0..I::PARTS {

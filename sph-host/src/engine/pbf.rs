@@ -4,7 +4,6 @@
 //! compressed as it is made for: g Δt²/h times the depth in spacings is [`WEIGHT`]. f32 and fixed point come back from f64 to the
 //! same bits, so a frame file holds the whole state.
 
-use rayon::prelude::*;
 use sph_core::fluid::{BorrowedFluid, Container, OpenBox, Particle, Settings};
 use sph_core::kernel::{Kernel, Poly6, normalisation};
 use sph_core::scalar::compact::Compact;
@@ -13,6 +12,7 @@ use sph_core::{CellGrid, CellLayout, Error, Neighbours, Parameter};
 
 use super::setup::Setup;
 use super::simulation::{RunError, Simulate, Snapshot};
+use crate::parallel;
 
 /// Acceleration in h a frame² times depth in spacings, as in the solver's documentation: 0.005 at twelve spacings.
 const WEIGHT: f64 = 0.06;
@@ -84,14 +84,17 @@ impl<T: Compact, const D: usize> PositionBased<T, D> {
         let mut entries = vec![0_u32; positions.len()];
         let search = CellGrid::build(layout, &positions, &mut starts, &mut entries).ok()?;
         let volume = 0.5_f64.powi(D as i32) * normalisation::<Poly6>(D as u32);
-        let density = |(x, particle): (&[f64; D], &Particle<T, D>)| {
+        let mut densities = vec![0.0; positions.len()];
+        parallel::fill(&mut densities, |i| {
             let mut sum = 0.0;
-            search.for_each(x, 1.0, |neighbour| sum += Poly6::profile(neighbour.distance_squared.sqrt()));
-            let wall = self.walls.wall(&particle.position().map(T::near));
+            search.for_each(&positions[i], 1.0, |neighbour| {
+                sum += Poly6::profile(neighbour.distance_squared.sqrt())
+            });
+            let wall = self.walls.wall(&self.particles[i].position().map(T::near));
             let share = wall.map_or(T::ZERO, |wall| T::from_near(wall.share));
             volume * sum + share.to_f64()
-        };
-        Some(positions.par_iter().zip(&self.particles).map(density).collect())
+        });
+        Some(densities)
     }
 }
 

@@ -3,7 +3,7 @@
 use sph_core::Arithmetic;
 use sph_core::fluid::wcsph::Seen;
 
-use crate::fast::{Isa, Real, Register};
+use crate::fast::{BLOCK, Isa, Real, Register};
 
 /// Four numbers: a vector of up to three components, and a number.
 type Four<T> = [T; 4];
@@ -19,7 +19,9 @@ pub(super) struct ParticleRecords<T> {
 fn four<T: Real, const D: usize>(vector: &[T; D], number: T) -> Four<T> {
     const { assert!(D <= 3, "a vector has room for three components") };
     let mut four = [T::ZERO, T::ZERO, T::ZERO, number];
-    four[..D].copy_from_slice(vector);
+    for axis in 0..D {
+        four[axis] = vector[axis];
+    }
     four
 }
 
@@ -70,6 +72,7 @@ impl<T: Real> ParticleRecords<T> {
     /// The positions of a register of particles.
     #[inline(always)]
     pub(super) fn positions<I: Isa<T>, const D: usize>(&self, isa: I, records: &[u32]) -> [I::Reg; D] {
+        let records = &records[..I::Reg::WIDTH];
         vector(&isa.transpose(
             #[inline(always)]
             |k| &self.places[records[k] as usize],
@@ -84,6 +87,13 @@ impl<T: Real> ParticleRecords<T> {
         records: &[u32],
         wanted: [bool; 4],
     ) -> Seen<I::Reg, D> {
+        let records = &records[..I::Reg::WIDTH];
+        // looked up once for all fours
+        let none = [[T::ZERO; 4]; 3];
+        let mut states = [&none; BLOCK];
+        for k in 0..I::Reg::WIDTH {
+            states[k] = &self.states[records[k] as usize];
+        }
         let mut fours = [[I::Reg::ZERO; 4]; 4];
         if wanted[0] {
             fours[0] = isa.transpose(
@@ -95,7 +105,7 @@ impl<T: Real> ParticleRecords<T> {
             if wanted[1 + number] {
                 fours[1 + number] = isa.transpose(
                     #[inline(always)]
-                    |k| &self.states[records[k] as usize][number],
+                    |k| &states[k][number],
                 );
             }
         }

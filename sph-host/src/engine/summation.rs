@@ -2,7 +2,6 @@
 
 use std::ops::Range;
 
-use rayon::prelude::*;
 use sph_core::Error;
 use sph_core::fluid::wcsph::{Forces, Scheme, Seen, Summation};
 
@@ -11,6 +10,7 @@ use super::records::{ParticleRecords, record};
 use super::verlet_lists::{LIST_CHUNK, ListChunk, VerletLists};
 use crate::fast::{InstructionSet, Real};
 use crate::kernel_choice::AnyInfluence;
+use crate::parallel;
 
 mod jobs;
 #[cfg(test)]
@@ -60,9 +60,12 @@ impl<T: Real, const D: usize> SimdSummation<T, D> {
         }
         let rows = &self.rows;
         let (places, states) = (&mut self.records.places[..fluid], &mut self.records.states[..fluid]);
-        let of_fluid = (places, states, of_fluid, &seen[..fluid]).into_par_iter().with_min_len(LIST_CHUNK);
-        of_fluid.enumerate().for_each(|(k, (place, state, x, seen))| {
-            (*place, *state) = record(&rows.unwrapped(k, x), seen);
+        let chunks = places.chunks_mut(LIST_CHUNK).zip(states.chunks_mut(LIST_CHUNK));
+        parallel::for_each(chunks, |chunk, (places, states)| {
+            for (offset, (place, state)) in places.iter_mut().zip(states).enumerate() {
+                let k = chunk * LIST_CHUNK + offset;
+                (*place, *state) = record(&rows.unwrapped(k, &of_fluid[k]), &seen[k]);
+            }
         });
         self.set_images(positions.len(), self.rows.images.len());
         Ok(())
@@ -96,8 +99,8 @@ impl<T: Real, const D: usize> SimdSummation<T, D> {
     ) {
         let search =
             Search { kernel: &self.kernel, records: &self.records, padding: self.rows.padding, needed };
-        let work = chunks.par_iter().zip(out.par_chunks_mut(LIST_CHUNK)).enumerate();
-        work.for_each_init(Neighbourhoods::default, |near, (number, (chunk, out))| {
+        let work = chunks.iter().zip(out.chunks_mut(LIST_CHUNK));
+        parallel::for_each_with(work, |near: &mut Neighbourhoods<T, D>, number, (chunk, out)| {
             for (group, out) in out.chunks_mut(GROUP).enumerate() {
                 let first = group * GROUP;
                 let range = number * LIST_CHUNK + first..number * LIST_CHUNK + first + out.len();

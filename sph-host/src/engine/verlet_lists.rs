@@ -4,11 +4,11 @@
 //! Along a periodic axis, particles near its ends have images beyond the other end: records of their own, which follow the
 //! particle for as long as the rows are kept.
 
-use rayon::prelude::*;
 use sph_core::vector::{add, norm_squared, sub};
 use sph_core::{Axis, Domain, Error};
 
 use crate::fast::{BLOCK, Block, InstructionSet, Isa, Job, Real, SortedCells, list_places, sixteen_mut};
+use crate::parallel;
 
 /// The skin over the support radius, in support radii. Wider, rows last longer and each look at them takes longer.
 const SKIN: f64 = 0.12;
@@ -123,10 +123,12 @@ impl<T: Real, const D: usize> VerletLists<T, D> {
     /// Lists rows anew where that is needed, and says whether it was.
     pub(super) fn update(&mut self, fluid: &[[T; D]], walls: &[[T; D]]) -> Result<bool, Error> {
         let (max_displacement, domain) = (self.max_displacement * self.max_displacement, &self.domain);
-        let near = |(x, at): (&[T; D], &[T; D])| {
+        let is_near = |(x, at): (&[T; D], &[T; D])| {
             norm_squared(&sub(&unwrapped(domain, x, at), at)) < max_displacement
         };
-        if !self.listed_at.is_empty() && fluid.par_iter().with_min_len(1024).zip(&self.listed_at).all(near) {
+        let chunks = fluid.chunks(LIST_CHUNK).zip(self.listed_at.chunks(LIST_CHUNK));
+        let are_near = parallel::map(chunks, |_, (fluid, at)| fluid.iter().zip(at).all(is_near));
+        if !self.listed_at.is_empty() && are_near.into_iter().all(|near| near) {
             return Ok(false);
         }
         self.images.truncate(self.wall_images);
@@ -204,19 +206,18 @@ impl<T: Real, const D: usize> CandidateSet<T, D> {
 
 #[inline(always)]
 fn unwrapped<T: Real, const D: usize>(domain: &Domain<T, D>, x: &[T; D], at: &[T; D]) -> [T; D] {
-    std::array::from_fn(|axis| match domain.axes()[axis] {
-        Axis::Open => x[axis],
-        Axis::Periodic { length, .. } => {
+    let mut near = *x;
+    for axis in 0..D {
+        if let Axis::Periodic { length, .. } = domain.axes()[axis] {
             let (moved, half) = (x[axis] - at[axis], length * T::ratio(1, 2));
             if moved > half {
-                x[axis] - length
+                near[axis] -= length;
             } else if moved < -half {
-                x[axis] + length
-            } else {
-                x[axis]
+                near[axis] += length;
             }
         }
-    })
+    }
+    near
 }
 
 /// Lists the rows of particles at `positions` in chunks.
@@ -228,7 +229,7 @@ fn list<T: Real, const D: usize>(
     candidate_sets: &[&CandidateSet<T, D>],
 ) {
     chunks.resize(positions.len().div_ceil(LIST_CHUNK), ListChunk::default());
-    chunks.par_iter_mut().zip(positions.par_chunks(LIST_CHUNK)).for_each(|(chunk, positions)| {
+    parallel::for_each(chunks.iter_mut().zip(positions.chunks(LIST_CHUNK)), |_, (chunk, positions)| {
         T::dispatch(level, List { chunk, padding, positions, candidate_sets });
     });
 }

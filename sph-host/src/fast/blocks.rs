@@ -2,6 +2,7 @@
 
 use super::cells::BandLayout;
 use super::simd::{BLOCK, Real, Register};
+use super::sort::to_f64;
 use super::sorted_cells::SortedCells;
 
 /// Sixteen consecutive particles, and a bit for each that counts.
@@ -60,7 +61,7 @@ pub(super) fn candidates<T: Real, const D: usize>(
     blocks: &mut Vec<Block>,
     mut end: usize,
 ) -> usize {
-    let runs = cells.layout.runs(&lower.map(|c| c.to_f64()), &upper.map(|c| c.to_f64()));
+    let runs = cells.layout.runs(&to_f64(lower), &to_f64(upper));
     for run in &runs[..BandLayout::<D>::RUNS] {
         let (first, last) = cells.sorted.range(run);
         let first = first.max(from as u32);
@@ -71,6 +72,16 @@ pub(super) fn candidates<T: Real, const D: usize>(
         end += needed;
     }
     end
+}
+
+/// The first `room` numbers of each of some lists, which have as many: then one check of a place is enough for all.
+#[inline(always)]
+pub(crate) fn fronts<T, const N: usize>(lists: &mut [Vec<T>; N], room: usize) -> [&mut [T]; N] {
+    let mut lists = lists.iter_mut();
+    std::array::from_fn(
+        #[inline(always)]
+        |_| lists.next().map_or(&mut [][..], |list| &mut list[..room]),
+    )
 }
 
 /// Blocks that are written together, even where fewer are needed: a branch on their number would be mispredicted.

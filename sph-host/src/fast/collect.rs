@@ -2,7 +2,7 @@
 
 use sph_core::Lane;
 
-use super::blocks::{Block, candidates, last_store, reserve, sixteen_mut, squares};
+use super::blocks::{Block, candidates, fronts, last_store, reserve, sixteen_mut, squares};
 use super::simd::{BLOCK, Isa, Job, Real, Register};
 use super::sort::Sorted;
 use super::sorted_cells::SortedCells;
@@ -192,7 +192,7 @@ pub(super) struct Pick<'a, T, const C: usize> {
     pub(super) found: &'a Found<T>,
     /// One for each particle, and a block more.
     pub(super) columns: [&'a [T]; C],
-    pub(super) out: [&'a mut Vec<T>; C],
+    pub(super) out: &'a mut [Vec<T>; C],
 }
 
 impl<T: Real, const C: usize> Job<T> for Pick<'_, T, C> {
@@ -202,12 +202,14 @@ impl<T: Real, const C: usize> Job<T> for Pick<'_, T, C> {
     fn run<I: Isa<T>>(self, isa: I) {
         let Self { found, columns, out } = self;
         // all of one length: then one check of a place is enough
-        let columns = columns.map(|column| &column[..columns[0].len()]);
+        let length = columns[0].len();
+        let mut columns = columns;
+        for column in &mut columns {
+            *column = &column[..length];
+        }
         let room = found.squares.len();
-        let mut out = out.map(|out| {
-            reserve(out, room);
-            &mut out[..room]
-        });
+        out.iter_mut().for_each(|out| reserve(out, room));
+        let mut out = fronts(out, room);
         let last_store = last_store(room, I::Reg::WIDTH);
         let mut blocks = &found.blocks[..];
         for span in &found.spans {

@@ -10,6 +10,7 @@ use super::cells::Run;
 use super::pairs::{Gather, PairScratch, Pairs};
 use super::shared_neighbourhood::SharedNeighbourhood;
 use super::simd::Real;
+use super::sort::to_f64;
 use super::sorted_cells::{SortedCells, check_length};
 use crate::parallel;
 
@@ -33,13 +34,22 @@ impl<T: Real, const D: usize> SortedCells<T, D> {
     /// ```
     pub fn density<K: Kernel>(&self, masses: impl PerSample<T>) -> Result<Vec<T>, Error> {
         let w = KernelInfluence::<T, D, K>::new(self.radius)?;
+        self.weighted_densities(add_pairs::<T, K, D>, w.normalisation(), masses)
+    }
+
+    fn weighted_densities(
+        &self,
+        pairs: AddPairs<T, D>,
+        constant: T,
+        masses: impl PerSample<T>,
+    ) -> Result<Vec<T>, Error> {
         if let Some(count) = masses.count() {
             check_length(count, self.len(), Parameter::Mass)?;
             let own = self.sorted.order.iter().map(|&j| masses.get(j as usize).unwrap_or(T::ZERO)).collect();
-            return Ok(self.densities(add_pairs::<T, K, D>, w.normalisation(), Some(own)));
+            return Ok(self.densities(pairs, constant, Some(own)));
         }
         let mass = masses.get(0).unwrap_or(T::ZERO);
-        Ok(self.densities(add_pairs::<T, K, D>, w.normalisation() * mass, None))
+        Ok(self.densities(pairs, constant * mass, None))
     }
 
     /// constant · Σ m_j f, m_j = 1 where there are no masses.
@@ -85,7 +95,7 @@ impl<T: Real, const D: usize> SortedCells<T, D> {
         let (first, last) = (row(particles.start), row(particles.end - 1));
         let cells: Vec<Run> = if first == last {
             let (lower, upper) = self.corners(particles.clone());
-            let (mut lower, mut upper) = (lower.map(|c| c.to_f64()), upper.map(|c| c.to_f64()));
+            let (mut lower, mut upper) = (to_f64(&lower), to_f64(&upper));
             // a little wider, lest another rounding make it narrower than what a group of these reaches
             let margin = 1e-3 * self.radius.to_f64();
             (lower[0], upper[0]) = (lower[0] - margin, upper[0] + margin);

@@ -2,12 +2,13 @@
 
 use std::ops::Range;
 
-use sph_core::field::{Estimate, Plain, PlainWithGradient, Reads};
+use sph_core::field::{Estimate, Plain, PlainWithGradient};
 use sph_core::kernel::Kernel;
 use sph_core::{Error, Parameter, Scalar};
 
 use super::cells::BandLayout;
-use super::part::{Part, Samples};
+use super::evaluate::Evaluator;
+use super::part::{FieldKernel, Part, Samples};
 use super::simd::Real;
 use super::sort::{Sorted, sort};
 use super::sorted_cells::{SortedCells, bounds, check_length};
@@ -121,9 +122,9 @@ impl<'a, T: Real, const D: usize> Fields<'a, T, D> {
     /// [`Error::NotFinite`] for such a point; those of [`KernelInfluence::new`](sph_core::KernelInfluence::new).
     pub fn at<K: Kernel>(&self, points: &[[T; D]], gradient: bool) -> Result<Estimates<T>, Error> {
         if gradient {
-            self.estimate_by::<K, PlainWithGradient, PlainWithGradient>(points, true)
+            self.run::<PlainWithGradient, PlainWithGradient>(&FieldKernel::new::<K>(), points, true)
         } else {
-            self.estimate_by::<K, Plain, Plain>(points, false)
+            self.run::<Plain, Plain>(&FieldKernel::new::<K>(), points, false)
         }
     }
 
@@ -138,31 +139,34 @@ impl<'a, T: Real, const D: usize> Fields<'a, T, D> {
         points: &[[T; D]],
         gradient: bool,
     ) -> Result<Estimates<T>, Error> {
+        self.estimate_with(&FieldKernel::new::<K>(), estimate, points, gradient)
+    }
+
+    fn estimate_with(
+        &self,
+        kernel: &FieldKernel<T, D>,
+        estimate: EstimateChoice,
+        points: &[[T; D]],
+        gradient: bool,
+    ) -> Result<Estimates<T>, Error> {
         if gradient {
-            with_estimate!(estimate, gradient E => self.estimate_by::<K, PlainWithGradient, E>(points, true))
+            with_estimate!(estimate, gradient E => self.run::<PlainWithGradient, E>(kernel, points, true))
         } else {
-            with_estimate!(estimate, value E => self.estimate_by::<K, Plain, E>(points, false))
+            with_estimate!(estimate, value E => self.run::<Plain, E>(kernel, points, false))
         }
     }
 
-    /// As [`estimate`](Self::estimate) by an estimate E, and the plain sums by P.
-    fn estimate_by<K: Kernel, P: Estimate<T, D>, E: Estimate<T, D>>(
-        &self,
-        points: &[[T; D]],
-        gradient: bool,
-    ) -> Result<Estimates<T>, Error> {
-        let constants = self.parts.iter().map(|part| part.constant::<K>()).collect::<Result<Vec<T>, _>>()?;
-        let find: Find<T, D> = |group, reads, reached, scratch| group.find::<K>(reads, reached, scratch);
-        self.run::<P, E>(find, &constants, points, gradient)
-    }
-
+    /// The fields by an estimate E, and the plain sums by P.
     fn run<P: Estimate<T, D>, E: Estimate<T, D>>(
         &self,
-        find: Find<T, D>,
-        constants: &[T],
+        kernel: &FieldKernel<T, D>,
         points: &[[T; D]],
         gradient: bool,
     ) -> Result<Estimates<T>, Error> {
+        let mut constants = Vec::with_capacity(self.parts.len());
+        for part in &self.parts {
+            constants.push(part.constant(kernel)?);
+        }
         let (lower, upper) = bounds(points)?;
         let radius = self.parts.first().map_or(1.0, |part| part.cells.radius.to_f64());
         let points = sort(&BandLayout::new(lower, upper, radius, points.len()), points);
@@ -171,7 +175,13 @@ impl<'a, T: Real, const D: usize> Fields<'a, T, D> {
         let count = points.order.len();
         let mut values = vec![T::ZERO; width * count];
         let (mut reached, mut carried) = (vec![0; count], vec![true; count]);
-        let work = Evaluation { fields: self, find, constants, points: &points, of_field };
+        let work = Evaluation {
+            fields: self,
+            evaluate: kernel.evaluate,
+            constants: &constants,
+            points: &points,
+            of_field,
+        };
         let out =
             (values.chunks_mut(width * CHUNK).zip(reached.chunks_mut(CHUNK))).zip(carried.chunks_mut(CHUNK));
         parallel::for_each_with(out, |found, chunk, ((values, reached), carried)| {
@@ -194,13 +204,10 @@ impl<'a, T: Real, const D: usize> Fields<'a, T, D> {
     }
 }
 
-/// [`Group::find`] for a kernel: all else is compiled once for all kernels.
-type Find<T, const D: usize> = fn(&Group<'_, T, D>, Reads, &mut [u32], &mut PointScratch<T, D>);
-
 /// What all threads need to know.
 struct Evaluation<'a, T, const D: usize> {
     fields: &'a Fields<'a, T, D>,
-    find: Find<T, D>,
+    evaluate: Evaluator<T>,
     /// σ_D h^{-D} of each part.
     constants: &'a [T],
     points: &'a Sorted<T, D>,
@@ -232,7 +239,7 @@ impl<T: Real, const D: usize> Evaluation<'_, T, D> {
         let reach = self.fields.reach();
         for (part, &constant) in parts.iter().zip(constants) {
             let group = Group { part, constant, reach, points, range: range.clone() };
-            (self.find)(&group, reads, reached, found);
+            group.find(self.evaluate, reads, reached, found);
             group.add(&[], &part.coefficients, plain, found);
             group.add(&part.volumes, &part.weighted_values, fields, found);
         }

@@ -2,13 +2,13 @@
 
 use std::ops::Range;
 
-use rayon::prelude::*;
 use sph_core::Lane;
 
 use super::blocks::{last_store, reserve, squares};
 use super::shared_neighbourhood::SharedNeighbourhood;
 use super::simd::{BLOCK, Isa, Job, Real, Register};
 use super::sorted_cells::SortedCells;
+use crate::parallel;
 
 /// Particles whose lists are in one piece of memory.
 const CHUNK: usize = 2048;
@@ -70,8 +70,7 @@ impl<T: Real, const D: usize> SortedCells<T, D> {
     /// Lists the neighbours of every particle, in memory that is used again.
     pub fn neighbour_lists(&self, lists: &mut NeighbourLists) {
         lists.chunks.resize_with(self.len().div_ceil(CHUNK), Chunk::default);
-        let work = lists.chunks.par_iter_mut().enumerate();
-        work.for_each_init(SharedNeighbourhood::default, |shared, (number, chunk)| {
+        parallel::for_each_with(lists.chunks.iter_mut(), |shared, number, chunk| {
             let particles = number * CHUNK..self.len().min((number + 1) * CHUNK);
             T::dispatch(self.level, Lists { cells: self, particles, shared, chunk });
         });

@@ -24,9 +24,9 @@ mod sorted_cells;
 mod sums;
 mod terms;
 
-pub(crate) use blocks::{Block, last_store, reserve, sixteen_mut};
+pub(crate) use blocks::{Block, fronts, last_store, reserve, sixteen_mut};
 pub(crate) use collect::list_places;
-pub(crate) use evaluate::Evaluate;
+pub(crate) use evaluate::{Evaluate, Evaluator, evaluator};
 pub(crate) use simd::{BLOCK, Isa, Job, Register};
 
 pub use fields::{Estimates, Fields};

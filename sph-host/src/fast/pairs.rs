@@ -99,7 +99,7 @@ impl<T: Real, K: Kernel, const D: usize> Pairs<'_, T, K, D> {
                         |axis, y| x[axis] - y,
                     );
                     let q = (squares * inverse_square).min(I::Reg::ONE).root();
-                    let f = profile::<_, K, D>(q);
+                    let f = profile::<_, K>(q, D == 1);
                     let sums = &mut sums[part * width..];
                     let (column, sum) = (&mut columns.as_mut()[part], I::Reg::load(sums));
                     if MASSES {

@@ -3,6 +3,7 @@
 use sph_core::kernel::Kernel;
 use sph_core::{Error, KernelInfluence};
 
+use super::evaluate::{Evaluator, evaluator};
 use super::simd::Real;
 use super::sorted_cells::SortedCells;
 
@@ -63,10 +64,27 @@ impl<'a, T: Real, const D: usize> Part<'a, T, D> {
     }
 
     /// σ_D h^{-D} for the cells' h.
-    pub(super) fn constant<K: Kernel>(&self) -> Result<T, Error> {
+    pub(super) fn constant(&self, kernel: &FieldKernel<T, D>) -> Result<T, Error> {
         if let Some(own) = self.own {
-            KernelInfluence::<T, D, K>::new(own.least)?;
+            (kernel.constant)(own.least)?;
         }
-        Ok(KernelInfluence::<T, D, K>::new(self.cells.radius)?.normalisation())
+        (kernel.constant)(self.cells.radius)
+    }
+}
+
+/// What of a kernel is needed for sums at points: the rest is compiled once for all kernels.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct FieldKernel<T, const D: usize> {
+    pub(super) evaluate: Evaluator<T>,
+    /// σ_D h^{-D}
+    pub(super) constant: fn(T) -> Result<T, Error>,
+}
+
+impl<T: Real, const D: usize> FieldKernel<T, D> {
+    pub(super) fn new<K: Kernel>() -> Self {
+        Self {
+            evaluate: evaluator::<T, K>(D),
+            constant: |h| Ok(KernelInfluence::<T, D, K>::new(h)?.normalisation()),
+        }
     }
 }

@@ -1,12 +1,12 @@
 //! Particles that each bring their own support radius h_j (scatter form, W(x − x_j, h_j)).
 
-use rayon::prelude::*;
 use sph_core::{Error, Parameter};
 
 use super::fields::Fields;
 use super::part::{OwnRadii, Part, Samples};
 use super::simd::{InstructionSet, Real};
 use super::sorted_cells::{SortedCells, check_length, check_radius};
+use crate::parallel;
 
 /// Particles sorted by the octave of their support radius, and within each octave into [`SortedCells`]: a point looks at cells that
 /// suit the radii in them, however widely these differ.
@@ -34,10 +34,10 @@ impl<T: Real, const D: usize> RadiusOctaves<T, D> {
     pub fn sort(positions: &[[T; D]], radii: &[T]) -> Result<Self, Error> {
         check_length(radii.len(), positions.len(), Parameter::SupportRadius)?;
         radii.iter().enumerate().try_for_each(|(index, &radius)| check_radius(radius, index))?;
-        let octaves: Vec<i32> =
-            radii.par_iter().map(|radius| radius.to_f64().log2().floor() as i32).collect();
+        let mut octaves = vec![0; radii.len()];
+        parallel::fill(&mut octaves, |j| radii[j].to_f64().log2().floor() as i32);
         let mut distinct = octaves.clone();
-        distinct.par_sort_unstable();
+        distinct.sort_unstable();
         distinct.dedup();
         let parts = distinct.into_iter().map(|octave| {
             let of_octave = |&j: &u32| octaves[j as usize] == octave;

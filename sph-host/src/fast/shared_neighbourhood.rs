@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use sph_core::Lane;
 
-use super::blocks::{Block, candidates, last_store, reserve, sixteen_mut, squares};
+use super::blocks::{Block, candidates, fronts, last_store, reserve, sixteen_mut, squares};
 use super::simd::{BLOCK, Isa, Real, Register};
 use super::sorted_cells::SortedCells;
 
@@ -58,10 +58,8 @@ impl<T: Real, const D: usize> SharedNeighbourhood<T, D> {
         let blocks = candidates(cells, &lower, &upper, from, &mut self.blocks, 0);
         let room = (blocks + 1) * BLOCK;
         reserve(&mut self.places, room);
-        let mut coordinates = self.coordinates.each_mut().map(|axis| {
-            reserve(axis, room);
-            &mut axis[..room]
-        });
+        self.coordinates.iter_mut().for_each(|axis| reserve(axis, room));
+        let mut coordinates = fronts(&mut self.coordinates, room);
         let places = &mut self.places[..room];
         let (lower, upper): ([I::Reg; D], [I::Reg; D]) = (I::splat_vector(&lower), I::splat_vector(&upper));
         let limit = I::Reg::splat(cells.radius * cells.radius);
@@ -105,6 +103,10 @@ impl<T: Real, const D: usize> SharedNeighbourhood<T, D> {
     #[inline(always)]
     pub(super) fn padded(&self) -> ([&[T]; D], &[u32]) {
         let length = self.count.next_multiple_of(BLOCK);
-        (self.coordinates.each_ref().map(|axis| &axis[..length]), &self.places[..length])
+        let mut coordinates: [&[T]; D] = [&[]; D];
+        for axis in 0..D {
+            coordinates[axis] = &self.coordinates[axis][..length];
+        }
+        (coordinates, &self.places[..length])
     }
 }

@@ -4,13 +4,14 @@
 //! than a sorted one. Chunks and buckets do not depend on the number of threads, and both passes are stable, so the
 //! order of the particles is that of their cells, and within a cell that of the input.
 
-use rayon::prelude::*;
-
 use super::cells::{BandLayout, Run};
 use super::simd::{BLOCK, Real};
+use crate::parallel;
 
 /// Particles of a chunk of the input.
 const CHUNK: usize = 1 << 16;
+/// Numbers of a column that a thread takes at a time.
+const COLUMN_CHUNK: usize = 1 << 12;
 /// Particles that a bucket should have about.
 const BUCKET: usize = 1 << 14;
 
@@ -45,27 +46,33 @@ impl<T: Real, const D: usize> Sorted<T, D> {
     /// The position at a place.
     #[inline(always)]
     pub(super) fn position(&self, place: usize) -> [T; D] {
-        std::array::from_fn(
-            #[inline(always)]
-            |axis| self.coordinates[axis][place],
-        )
+        let mut x = [T::ZERO; D];
+        for axis in 0..D {
+            x[axis] = self.coordinates[axis][place];
+        }
+        x
     }
 
     /// The coordinates and a block of zeros, all of a length that can be seen to be the same.
     #[inline(always)]
     pub(super) fn padded(&self) -> [&[T]; D] {
         let length = self.order.len() + BLOCK;
-        std::array::from_fn(
-            #[inline(always)]
-            |axis| &self.coordinates[axis][..length],
-        )
+        let mut padded: [&[T]; D] = [&[]; D];
+        for axis in 0..D {
+            padded[axis] = &self.coordinates[axis][..length];
+        }
+        padded
     }
 
     /// A number for each particle, found by its index, in the order of the cells; and after the last a block of zeros.
     pub(super) fn column(&self, value: impl Fn(usize) -> T + Sync) -> Vec<T> {
         let mut column = vec![T::ZERO; self.order.len() + BLOCK];
-        let rows = column.par_iter_mut().zip(&self.order).with_min_len(CHUNK / 16);
-        rows.for_each(|(out, &index)| *out = value(index as usize));
+        let rows = column.chunks_mut(COLUMN_CHUNK).zip(self.order.chunks(COLUMN_CHUNK));
+        parallel::for_each(rows, |_, (out, order)| {
+            for (out, &index) in out.iter_mut().zip(order) {
+                *out = value(index as usize);
+            }
+        });
         column
     }
 }
@@ -94,13 +101,23 @@ pub(super) fn sort<T: Real, const D: usize>(layout: &BandLayout<D>, positions: &
         work.push(Bucket { number: bucket, first, starts, coordinates, order });
         first += size;
     }
-    work.into_par_iter().for_each(|bucket| {
+    parallel::for_each(work.into_iter(), |_, bucket| {
         let chunks = moved.chunks(CHUNK).enumerate();
         let number = bucket.number;
         let pieces = chunks.map(|(chunk, moved)| &moved[range(&ends, buckets, chunk, number)]);
         bucket.fill(pieces, cells_each);
     });
     sorted
+}
+
+/// A position in f64.
+#[inline(always)]
+pub(super) fn to_f64<T: Real, const D: usize>(x: &[T; D]) -> [f64; D] {
+    let mut wide = [0.0; D];
+    for axis in 0..D {
+        wide[axis] = x[axis].to_f64();
+    }
+    wide
 }
 
 /// Where a chunk's particles of one bucket are within the chunk.
@@ -120,22 +137,20 @@ fn into_buckets<T: Real, const D: usize>(
     let mut moved = vec![Moved { x: [T::ZERO; D], cell: 0, index: 0 }; positions.len()];
     let mut ends = vec![0_u32; positions.len().div_ceil(CHUNK) * buckets];
     let bucket_of = Reciprocal::new(cells_each);
-    (positions.par_chunks(CHUNK), moved.par_chunks_mut(CHUNK), ends.par_chunks_mut(buckets))
-        .into_par_iter()
-        .enumerate()
-        .for_each(|(chunk, (positions, moved, ends))| {
-            let cells: Vec<u32> =
-                positions.iter().map(|x| layout.cell(&x.map(|component| component.to_f64()))).collect();
-            for &cell in &cells {
-                ends[bucket_of.quotient(cell)] += 1;
-            }
-            running_starts(ends, 0);
-            for (k, (&x, &cell)) in positions.iter().zip(&cells).enumerate() {
-                let end = &mut ends[bucket_of.quotient(cell)];
-                moved[*end as usize] = Moved { x, cell, index: (chunk * CHUNK + k) as u32 };
-                *end += 1;
-            }
-        });
+    let chunks = positions.chunks(CHUNK).zip(moved.chunks_mut(CHUNK)).zip(ends.chunks_mut(buckets));
+    parallel::for_each(chunks, |chunk, ((positions, moved), ends)| {
+        let mut cells = vec![0; positions.len()];
+        for (cell, x) in cells.iter_mut().zip(positions) {
+            *cell = layout.cell(&to_f64(x));
+            ends[bucket_of.quotient(*cell)] += 1;
+        }
+        running_starts(ends, 0);
+        for (k, (&x, &cell)) in positions.iter().zip(&cells).enumerate() {
+            let end = &mut ends[bucket_of.quotient(cell)];
+            moved[*end as usize] = Moved { x, cell, index: (chunk * CHUNK + k) as u32 };
+            *end += 1;
+        }
+    });
     (moved, ends)
 }
 

@@ -2,12 +2,12 @@
 
 use std::ops::Range;
 
-use rayon::prelude::*;
 use sph_core::{Error, Parameter, Scalar};
 
 use super::cells::BandLayout;
 use super::simd::{InstructionSet, Real};
-use super::sort::{Sorted, sort};
+use super::sort::{Sorted, sort, to_f64};
+use crate::parallel;
 
 /// Particles sorted into cells for one support radius h: what every sum and search starts from.
 ///
@@ -87,11 +87,16 @@ impl<T: Real, const D: usize> SortedCells<T, D> {
     /// The box of some consecutive particles, of which there is one at least.
     #[inline(always)]
     pub(super) fn corners(&self, particles: Range<usize>) -> ([T; D], [T; D]) {
-        let axes = self.sorted.padded().map(|axis| &axis[particles.clone()]);
-        let end = |axis: &[T], before: fn(T, T) -> bool| {
-            axis.iter().fold(axis[0], |end, &x| if before(x, end) { x } else { end })
-        };
-        (axes.map(|axis| end(axis, |a, b| a < b)), axes.map(|axis| end(axis, |a, b| a > b)))
+        let first = self.sorted.position(particles.start);
+        let (mut lower, mut upper) = (first, first);
+        let axes = self.sorted.padded();
+        for axis in 0..D {
+            for &x in &axes[axis][particles.clone()] {
+                lower[axis] = if x < lower[axis] { x } else { lower[axis] };
+                upper[axis] = if x > upper[axis] { x } else { upper[axis] };
+            }
+        }
+        (lower, upper)
     }
 }
 
@@ -122,14 +127,10 @@ const CHUNK: usize = 1 << 14;
 /// The box of the positions: zero where there are none.
 pub(super) fn bounds<T: Real, const D: usize>(positions: &[[T; D]]) -> Result<([f64; D], [f64; D]), Error> {
     let empty = ([T::MAX; D], [-T::MAX; D], true);
-    let (lower, upper, finite) = positions
-        .par_chunks(CHUNK)
-        .map(|positions| {
-            positions
-                .iter()
-                .fold(empty, |(lower, upper, finite), x| join((lower, upper, finite), (*x, *x, is_finite(x))))
-        })
-        .reduce(|| empty, join);
+    let boxes = parallel::map(positions.chunks(CHUNK), |_, positions| {
+        positions.iter().fold(empty, |all, x| join(all, (*x, *x, is_finite(x))))
+    });
+    let (lower, upper, finite) = boxes.into_iter().fold(empty, join);
     let parameter = Parameter::Position;
     if !finite {
         let index = positions.iter().position(|x| !is_finite(x)).unwrap_or(0);
@@ -138,7 +139,7 @@ pub(super) fn bounds<T: Real, const D: usize>(positions: &[[T; D]]) -> Result<([
     if positions.is_empty() {
         return Ok(([0.0; D], [0.0; D]));
     }
-    let (lower, upper) = (lower.map(|c| c.to_f64()), upper.map(|c| c.to_f64()));
+    let (lower, upper) = (to_f64(&lower), to_f64(&upper));
     if (0..D).any(|axis| !(upper[axis] - lower[axis]).is_finite()) {
         return Err(Error::NotRepresentable { parameter });
     }
@@ -152,11 +153,12 @@ fn is_finite<T: Real, const D: usize>(x: &[T; D]) -> bool {
 /// The box around two boxes, and whether both are finite.
 #[inline(always)]
 fn join<T: Real, const D: usize>(a: Bounds<T, D>, b: Bounds<T, D>) -> Bounds<T, D> {
-    (
-        std::array::from_fn(|axis| Scalar::min(a.0[axis], b.0[axis])),
-        std::array::from_fn(|axis| Scalar::max(a.1[axis], b.1[axis])),
-        a.2 & b.2,
-    )
+    let (mut lower, mut upper) = (a.0, a.1);
+    for axis in 0..D {
+        lower[axis] = Scalar::min(a.0[axis], b.0[axis]);
+        upper[axis] = Scalar::max(a.1[axis], b.1[axis]);
+    }
+    (lower, upper, a.2 & b.2)
 }
 
 /// Lower and upper corner, and whether all in it are finite.

@@ -1,15 +1,13 @@
 //! What is found about some consecutive points, as the terms of their sums.
 
-use std::marker::PhantomData;
 use std::ops::Range;
 
 use sph_core::Lane;
 use sph_core::field::{Reads, Term};
-use sph_core::kernel::Kernel;
 
 use super::blocks::reserve;
 use super::collect::{Collect, Found, Pick, Span};
-use super::evaluate::Evaluate;
+use super::evaluate::{Evaluate, Evaluator};
 use super::part::Part;
 use super::simd::{BLOCK, Isa, Job, Real, Register};
 use super::sort::Sorted;
@@ -25,8 +23,7 @@ pub(super) struct PointScratch<T, const D: usize> {
     /// x_j, axis by axis.
     coordinates: [Vec<T>; D],
     /// h_j and 1 / h_j, where each has its own.
-    radii: Vec<T>,
-    inverses: Vec<T>,
+    own: [Vec<T>; 2],
     /// c_j, V_j or V_j A_j
     weights: Vec<T>,
 }
@@ -38,8 +35,7 @@ impl<T, const D: usize> Default for PointScratch<T, D> {
             profiles: Vec::new(),
             slopes: Vec::new(),
             coordinates: [const { Vec::new() }; D],
-            radii: Vec::new(),
-            inverses: Vec::new(),
+            own: [Vec::new(), Vec::new()],
             weights: Vec::new(),
         }
     }
@@ -58,28 +54,27 @@ pub(super) struct Group<'a, T, const D: usize> {
 
 impl<T: Real, const D: usize> Group<'_, T, D> {
     /// Finds the particles in reach, adds up how many they are, and works out of the kernel as much as is read.
-    pub(super) fn find<K: Kernel>(
+    pub(super) fn find(
         &self,
+        evaluate: Evaluator<T>,
         reads: Reads,
         reached: &mut [u32],
         scratch: &mut PointScratch<T, D>,
     ) {
-        let Part { cells, own, .. } = self.part;
+        let Part { cells, own: radii, .. } = self.part;
         let level = cells.level;
-        let PointScratch { found, profiles, slopes, coordinates, radii, inverses, .. } = scratch;
-        let own_limits = own.map(|own| &own.squares[..]);
+        let PointScratch { found, profiles, slopes, coordinates, own, .. } = scratch;
+        let own_limits = radii.map(|radii| &radii.squares[..]);
         let (points, range) = (self.points, self.range.clone());
         let end = T::dispatch(level, Collect { cells, own_limits, points, range, found });
         for (reached, span) in reached.iter_mut().zip(&found.spans) {
             *reached += span.count as u32;
         }
-        if let Some(own) = own {
-            let columns = [&own.radii[..], &own.inverses];
-            T::dispatch(level, Pick { found, columns, out: [radii, inverses] });
+        if let Some(radii) = radii {
+            T::dispatch(level, Pick { found, columns: [&radii.radii[..], &radii.inverses], out: own });
         }
         if reads.gradient || reads.offset {
-            let out = coordinates.each_mut();
-            T::dispatch(level, Pick { found, columns: cells.sorted.padded(), out });
+            T::dispatch(level, Pick { found, columns: cells.sorted.padded(), out: coordinates });
         }
         reserve(profiles, end);
         reserve(slopes, end);
@@ -87,25 +82,28 @@ impl<T: Real, const D: usize> Group<'_, T, D> {
             if reads.influence { &mut profiles[..end] } else { &mut [] },
             if reads.gradient { &mut slopes[..end] } else { &mut [] },
         );
-        let evaluate = Evaluate::<T, K, D> {
-            squares: &found.squares[..end],
-            inverse: T::ONE / cells.radius,
-            inverses: own.map(|_| &inverses[..end]),
-            profiles,
-            slopes,
-            kernel: PhantomData::<K>,
-        };
-        T::dispatch(level, evaluate);
-        if own.is_some() {
-            let (radius, inverses) = (cells.radius, &inverses[..end]);
-            T::dispatch(level, OwnUnits::<T, D> { radius, inverses, profiles, slopes });
+        let squares = &mut found.squares[..end];
+        if radii.is_none() {
+            let inverse = T::ONE / cells.radius;
+            evaluate(level, Evaluate { squares, scale: inverse * inverse, profiles, slopes });
+        } else {
+            let inverses = &own[1][..end];
+            T::dispatch(level, ToOwnUnits { inverses, squares });
+            evaluate(
+                level,
+                Evaluate { squares, scale: T::ONE, profiles: &mut *profiles, slopes: &mut *slopes },
+            );
+            T::dispatch(level, FromOwnUnits::<T, D> { radius: cells.radius, inverses, profiles, slopes });
         }
     }
 
     /// Moves the weights of the particles found together.
     pub(super) fn pick(&self, column: &[T], scratch: &mut PointScratch<T, D>) {
         let PointScratch { found, weights, .. } = scratch;
-        T::dispatch(self.part.cells.level, Pick { found, columns: [column], out: [weights] });
+        T::dispatch(
+            self.part.cells.level,
+            Pick { found, columns: [column], out: std::array::from_mut(weights) },
+        );
     }
 }
 
@@ -148,7 +146,7 @@ impl<'a, T: Real, I: Isa<T>, const D: usize> Terms<'a, T, I, D> {
             profiles: read(&scratch.profiles, reads.influence),
             slopes: read(&scratch.slopes, reads.gradient),
             coordinates,
-            radii: group.part.own.map(|_| read(&scratch.radii, true)),
+            radii: group.part.own.map(|_| read(&scratch.own[0], true)),
             radius: I::Reg::splat(group.part.cells.radius),
             inverse_square: I::Reg::splat(inverse * inverse),
             inverse_reach: I::Reg::splat(T::ONE / group.reach),
@@ -219,8 +217,30 @@ impl<T: Real, I: Isa<T>, const D: usize> Term<I::Reg, D> for OneRegister<'_, T, 
     }
 }
 
+/// Takes r² to units of each particle's own h_j².
+struct ToOwnUnits<'a, T> {
+    /// 1 / h_j
+    inverses: &'a [T],
+    squares: &'a mut [T],
+}
+
+impl<T: Real> Job<T> for ToOwnUnits<'_, T> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<I: Isa<T>>(self, _: I) {
+        let Self { inverses, squares } = self;
+        let width = I::Reg::WIDTH;
+        for first in (0..inverses.len()).step_by(width) {
+            let inverse = I::Reg::load_at(inverses, first);
+            let square = I::Reg::load_at(squares, first) * (inverse * inverse);
+            square.store(&mut squares[first..first + width]);
+        }
+    }
+}
+
 /// Takes profiles and slopes, which are in units of each particle's own h_j, to those of the h of the cells.
-struct OwnUnits<'a, T, const D: usize> {
+struct FromOwnUnits<'a, T, const D: usize> {
     radius: T,
     /// 1 / h_j
     inverses: &'a [T],
@@ -228,7 +248,7 @@ struct OwnUnits<'a, T, const D: usize> {
     slopes: &'a mut [T],
 }
 
-impl<T: Real, const D: usize> Job<T> for OwnUnits<'_, T, D> {
+impl<T: Real, const D: usize> Job<T> for FromOwnUnits<'_, T, D> {
     type Output = ();
 
     #[inline(always)]

@@ -1,11 +1,11 @@
 //! What is measured in every case: energies, momentum, density, spacing.
 
-use rayon::prelude::*;
 use sph_core::fluid::EquationOfState;
 use sph_core::vector::{dot, norm_squared};
 use sph_core::{CellGrid, CellLayout, Neighbours};
 
 use crate::engine::{Setup, Snapshot};
+use crate::parallel;
 
 /// What every row of the series begins with, after the time.
 pub(super) const COLUMNS: [&str; 5] =
@@ -130,16 +130,17 @@ impl<const D: usize> Diagnostics<D> {
         let mut entries = vec![0_u32; now.positions.len()];
         let search = CellGrid::build(layout, &now.positions, &mut starts, &mut entries).ok()?;
         let reach = 2.0 * self.spacing;
-        let least_at = |(i, x): (usize, &[f64; D])| {
+        let mut nearest = vec![0.0; now.positions.len()];
+        parallel::fill(&mut nearest, |i| {
             let mut least = reach * reach;
-            search.for_each(x, reach, |neighbour| {
+            search.for_each(&now.positions[i], reach, |neighbour| {
                 if neighbour.index != i {
                     least = least.min(neighbour.distance_squared);
                 }
             });
             least.sqrt() / self.spacing
-        };
-        Some(now.positions.par_iter().enumerate().map(least_at).collect())
+        });
+        Some(nearest)
     }
 }
 

@@ -58,6 +58,7 @@ impl<T: Scalar, A: Lane<T>, const D: usize> DensityGradient<T, A, D> {
 }
 
 /// m⁻¹ x by elimination without exchange, m being positive semidefinite and given by its lower triangle.
+#[inline]
 fn solved<T: Scalar, const D: usize>(mut m: [[T; D]; D], mut x: [T; D]) -> [T; D] {
     for column in 0..D {
         let pivot = m[column][column];

@@ -82,6 +82,7 @@ pub struct Scheme<T, const D: usize, W> {
 
 impl<T: Scalar, const D: usize, W: Influence<T, D>> Scheme<T, D, W> {
     /// L, half the support radius: the length in artificial viscosity, diffusion and time steps.
+    #[inline]
     pub fn length(&self) -> T {
         self.influence.support_radius() * T::ratio(1, 2)
     }

@@ -134,6 +134,7 @@ impl<T: Scalar, const D: usize, W: Influence<T, D>> Scheme<T, D, W> {
     }
 
     /// −u_s h Σ V_j ∇W, no longer than u_s/2.
+    #[inline]
     fn limited_shift(&self, sum: &[T; D]) -> [T; D] {
         let speed = self.liquid.shift_speed;
         let shift = scale(sum, -speed * self.influence.support_radius());

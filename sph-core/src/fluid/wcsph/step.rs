@@ -9,7 +9,8 @@
 //! in time where nothing dissipates.
 
 use super::{Forces, Limits, Scheme, Seen, Summation};
-use crate::vector::{add, norm_squared, scale};
+use crate::lane::{add, scale};
+use crate::vector::norm_squared;
 use crate::{Error, Influence, Parameter, Scalar, check};
 
 /// The particles, in slices that the caller owns: n fluid particles first, then walls.

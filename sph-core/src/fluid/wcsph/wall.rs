@@ -8,8 +8,8 @@
 //! J. Comput. Phys. 231 (2012) 7057, eqs. (23), (27), for walls that stand still. Suction is left out, so that fluid comes free.
 
 use super::{Lane, Pairs, Scheme, Seen};
-use crate::lane::{add_vector, join_vector, splat_vector, total_vector};
-use crate::vector::{dot, scale};
+use crate::lane::{add_vector, join_vector, scale, splat_vector, total_vector};
+use crate::vector::dot;
 use crate::{Influence, Scalar};
 
 /// The sums over the fluid that make what a wall particle shows it.
