@@ -2,6 +2,7 @@
 
 mod choices;
 mod failure;
+mod install;
 mod kernels;
 mod parse;
 mod progress;
@@ -12,7 +13,7 @@ mod sample_messages;
 use std::io::Write;
 use std::process::ExitCode;
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, Parser, Subcommand};
 
 use crate::output;
 use failure::Failure;
@@ -38,6 +39,8 @@ enum Command {
     Run(run::RunArgs),
     Sample(Box<sample::SampleArgs>),
     Kernels(kernels::KernelsArgs),
+    Completions(install::CompletionsArgs),
+    Man(install::ManArgs),
 }
 
 /// Runs the command with the process's arguments: what `main` returns.
@@ -55,6 +58,8 @@ pub fn main() -> ExitCode {
         Command::Run(args) => run::run(args),
         Command::Sample(args) => sample::run(*args),
         Command::Kernels(args) => kernels::run(&args),
+        Command::Completions(args) => install::completions(&args, &mut Cli::command()),
+        Command::Man(args) => install::man(&args, Cli::command()),
     });
     match done {
         Ok(()) => ExitCode::SUCCESS,
