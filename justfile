@@ -13,3 +13,11 @@ bench side="100" threads="1":
 # Instructions of the fast path and of the fluid with AVX2, which valgrind knows, against a table: fails where they grow; --update
 count *update:
     cargo bench -p sph-host --bench count -- {{update}}
+
+# The pictures of the README, made anew
+pictures:
+    cargo run --release -p sph-host --example pendant_gif -- docs/pictures/pendant.gif
+    cargo run --release -- run --out target/dam-break --force --quiet
+    cp target/dam-break/frame_0025.png docs/pictures/dam-break.png
+    cp target/dam-break/front.png docs/pictures/front.png
+    cargo run --release -- sample demo:vortex --grid 256,256 --quantity velocity_x --gradient --estimate corrected --out docs/pictures/vortex.png --force

@@ -36,6 +36,7 @@
 //! fluid's raster. All are additive.
 
 #![no_std]
+#![cfg_attr(docsrs, feature(doc_cfg))]
 #![forbid(unsafe_code)]
 
 pub mod ball;

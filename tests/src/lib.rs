@@ -1,4 +1,10 @@
-//! Integration tests live in `tests/`; the README's example is tested here.
+//! Integration tests live in `tests/`; the examples of the READMEs are tested here.
 
 #[doc = include_str!("../../README.md")]
 pub struct Readme;
+
+#[doc = include_str!("../../sph-core/README.md")]
+pub struct CoreReadme;
+
+#[doc = include_str!("../../sph-host/README.md")]
+pub struct HostReadme;

@@ -74,3 +74,16 @@ fn every_estimate_is_in_the_list_of_the_command() {
     }
     assert!(count >= 5);
 }
+
+/// A package's page has no file of the repository beside it.
+#[test]
+fn the_readme_of_a_package_has_no_relative_link() {
+    for folder in ["sph-core", "sph-host"] {
+        let path = format!("{}/../{folder}/README.md", env!("CARGO_MANIFEST_DIR"));
+        let text = std::fs::read_to_string(path).unwrap();
+        assert!(text.contains("cargo") || text.contains("```rust"));
+        for target in text.split("](").skip(1).filter_map(|rest| rest.split(')').next()) {
+            assert!(target.starts_with("https://") || target.starts_with('#'), "{folder}: {target}");
+        }
+    }
+}
