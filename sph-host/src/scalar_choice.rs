@@ -1,47 +1,97 @@
-//! The scalars by name.
+//! The scalars by name. A fixed-point format is emulated, with the bits of its compiled type, so that every format can be had.
 
-use sph_core::Scalar;
+use std::fmt::{Display, Formatter};
 
-use crate::named_enum::named_enum;
+use sph_core::{Scalar, for_each_float, for_each_format};
+use sph_lab::{Emulated, Format, Overflow};
 
-/// Calls a macro with the scalars that the command offers: those of sph-core's list without formats that are compiled for
-/// firmware alone, since every scalar here is compiled for all sums in all dimensions.
-macro_rules! offered {
-    ([$($list:tt)+] $($then:tt)+) => {
-        $crate::scalar_choice::offered! { @ [] ($($then)+) $($list)+ }
-    };
-    (@ $kept:tt $then:tt I4F12: $Scalar:ty, $about:tt; $($rest:tt)*) => {
-        $crate::scalar_choice::offered! { @ $kept $then $($rest)* }
-    };
-    (@ $kept:tt $then:tt I12F20: $Scalar:ty, $about:tt; $($rest:tt)*) => {
-        $crate::scalar_choice::offered! { @ $kept $then $($rest)* }
-    };
-    (@ $kept:tt $then:tt I20F12: $Scalar:ty, $about:tt; $($rest:tt)*) => {
-        $crate::scalar_choice::offered! { @ $kept $then $($rest)* }
-    };
-    (@ $kept:tt $then:tt I16F48: $Scalar:ty, $about:tt; $($rest:tt)*) => {
-        $crate::scalar_choice::offered! { @ $kept $then $($rest)* }
-    };
-    (@ [$($kept:tt)*] $then:tt $Name:ident: $Scalar:ty, $about:tt; $($rest:tt)*) => {
-        $crate::scalar_choice::offered! { @ [$($kept)* $Name: $Scalar, $about;] $then $($rest)* }
-    };
-    (@ $kept:tt ($callback:ident $($context:tt)*)) => {
-        $crate::scalar_choice::$callback! { $kept $($context)* }
-    };
-}
-
-/// The enum of the offered scalars.
+/// What follows from the list of the scalars that are no fixed-point formats.
 macro_rules! choices {
     ([$($Name:ident: $Scalar:ty, $about:tt;)+]) => {
-        named_enum! {
-            /// A number type by its name.
-            ScalarName { $($Name, <$Scalar as Scalar>::NAME, $about;)+ }
+        /// A number type by its name.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub enum ScalarName {
+            $(#[doc = $about] $Name,)+
+            /// Fixed point, saturating.
+            Fixed(Format),
+        }
+
+        impl ScalarName {
+            /// All but the fixed-point formats, the default first.
+            pub const FLOATS: &'static [Self] = &[$(Self::$Name),+];
+
+            /// The name, such as `f64` or `i16f16`.
+            #[must_use]
+            pub fn name(self) -> String {
+                match self {
+                    $(Self::$Name => <$Scalar as Scalar>::NAME.to_owned(),)+
+                    Self::Fixed(format) => format.to_string(),
+                }
+            }
+
+            /// What it is, in one line.
+            #[must_use]
+            pub fn about(self) -> &'static str {
+                match self {
+                    $(Self::$Name => $about,)+
+                    Self::Fixed(_) => "fixed point, saturating",
+                }
+            }
         }
     };
 }
-sph_core::for_each_scalar!(offered; choices);
+for_each_float!(choices);
 
-/// Evaluates an expression with `T` standing for the type of a [`ScalarName`].
+/// The names of the formats that sph-core has compiled types for.
+macro_rules! compiled {
+    ([$($Format:ident $name:tt $about:tt;)+]) => {
+        /// Formats that firmware can use as they are.
+        const COMPILED: &[&str] = &[$($name),+];
+    };
+}
+for_each_format!(compiled);
+
+impl ScalarName {
+    /// The one of this name; `iAfB` is fixed point with A integer bits, the sign among them, and B fraction bits, 8 to 64 together.
+    #[must_use]
+    pub fn of_name(name: &str) -> Option<Self> {
+        let float = Self::FLOATS.iter().copied().find(|known| known.name() == name);
+        float.or_else(|| {
+            let format: Format = name.parse().ok()?;
+            (format.overflow() == Overflow::Saturating).then_some(Self::Fixed(format))
+        })
+    }
+
+    /// The floats, and the formats that sph-core has compiled types for.
+    pub fn compiled() -> impl Iterator<Item = Self> {
+        let formats = COMPILED.iter().filter_map(|name| Self::of_name(name));
+        Self::FLOATS.iter().copied().chain(formats)
+    }
+
+    /// Prepares a thread to calculate in this scalar: what each thread of a pool does when it starts.
+    pub(crate) fn enter(self) {
+        if let Self::Fixed(format) = self {
+            format.enter();
+        }
+    }
+}
+
+impl Display for ScalarName {
+    fn fmt(&self, f: &mut Formatter<'_>) -> std::fmt::Result {
+        f.pad(&self.name())
+    }
+}
+
+/// The name of the type T on this thread.
+pub(crate) fn name_of<T: Scalar>() -> String {
+    match T::NAME {
+        Emulated::NAME => Format::current().to_string(),
+        name => name.to_owned(),
+    }
+}
+
+/// Evaluates an expression with `T` standing for the type of a [`ScalarName`]. Work of other threads in it needs
+/// [`ScalarName::enter`] on each.
 macro_rules! with_scalar {
     ([$($Name:ident: $Scalar:ty, $about:tt;)+] $name:expr, $T:ident => $body:expr) => {
         match $name {
@@ -49,14 +99,18 @@ macro_rules! with_scalar {
                 type $T = $Scalar;
                 $body
             })+
+            $crate::scalar_choice::ScalarName::Fixed(format) => {
+                type $T = sph_lab::Emulated;
+                format.scope(|| $body)
+            }
         }
     };
     ($name:expr, $T:ident => $body:expr) => {
-        sph_core::for_each_scalar!($crate::scalar_choice::offered; with_scalar $name, $T => $body)
+        sph_core::for_each_float!($crate::scalar_choice::with_scalar; $name, $T => $body)
     };
 }
 
-pub(crate) use {choices, offered, with_scalar};
+pub(crate) use with_scalar;
 
 #[cfg(test)]
 mod tests {
@@ -64,9 +118,14 @@ mod tests {
 
     #[test]
     fn names_are_those_of_the_types() {
-        for &scalar in ScalarName::ALL {
-            assert_eq!(scalar.name(), with_scalar!(scalar, T => T::NAME));
+        for scalar in ScalarName::compiled() {
+            assert_eq!(scalar.name(), with_scalar!(scalar, T => name_of::<T>()));
             assert!(scalar.about().contains("point"));
+            assert_eq!(ScalarName::of_name(&scalar.name()), Some(scalar));
+        }
+        assert_eq!(ScalarName::of_name("i3f13").unwrap().to_string(), "i3f13");
+        for none in ["wrapping-i16f16", "i0f16", "i40f40", "emulated", "f16"] {
+            assert_eq!(ScalarName::of_name(none), None);
         }
     }
 }

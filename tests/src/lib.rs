@@ -6,5 +6,8 @@ pub struct Readme;
 #[doc = include_str!("../../sph-core/README.md")]
 pub struct CoreReadme;
 
+#[doc = include_str!("../../sph-lab/README.md")]
+pub struct LabReadme;
+
 #[doc = include_str!("../../sph-host/README.md")]
 pub struct HostReadme;

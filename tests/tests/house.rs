@@ -15,7 +15,7 @@ fn sources(folder: &Path, found: &mut Vec<PathBuf>) {
 }
 
 fn crates() -> Vec<PathBuf> {
-    ["../sph-core/src", "../sph-host/src"]
+    ["../sph-core/src", "../sph-host/src", "../sph-lab/src"]
         .map(|path| Path::new(env!("CARGO_MANIFEST_DIR")).join(path))
         .to_vec()
 }
@@ -78,7 +78,7 @@ fn every_estimate_is_in_the_list_of_the_command() {
 /// A package's page has no file of the repository beside it.
 #[test]
 fn the_readme_of_a_package_has_no_relative_link() {
-    for folder in ["sph-core", "sph-host"] {
+    for folder in ["sph-core", "sph-lab", "sph-host"] {
         let path = format!("{}/../{folder}/README.md", env!("CARGO_MANIFEST_DIR"));
         let text = std::fs::read_to_string(path).unwrap();
         assert!(text.contains("cargo") || text.contains("```rust"));

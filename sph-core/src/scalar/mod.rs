@@ -10,7 +10,7 @@
 //! | `Fast32` | `fast`, feature `micromath` | micromath's approximations, errors documented |
 //! | `Fixed` over the types of the `fixed` crate | `fixed`, feature `fixed` | integer square root |
 //!
-//! A new scalar is one file that implements both traits and its line in [`for_each_scalar`](crate::for_each_scalar); a new
+//! A new scalar is one file that implements both traits and its line in [`for_each_float`](crate::for_each_float); a new
 //! fixed-point format is one line in `for_each_format`. The command, the laws and the other tests take them from there.
 
 use core::fmt::Debug;
@@ -36,38 +36,54 @@ pub mod float;
 #[macro_export]
 macro_rules! for_each_scalar {
     ($($callback:tt)::+ $(; $($context:tt)*)?) => {
-        $crate::__with_fast_scalars! {
-            ($($callback)::+) ($($($context)*)?)
-            F64: f64, "64-bit floating point";
-            F32: f32, "32-bit floating point";
-        }
+        $crate::for_each_float! { $crate::__with_formats; ($($callback)::+) ($($($context)*)?) }
     };
 }
 
+/// As [`for_each_scalar`](crate::for_each_scalar), with the scalars that are no fixed-point formats.
+///
+/// ```
+/// use sph_core::Scalar;
+/// macro_rules! names {
+///     ([$($Name:ident: $Scalar:ty, $about:tt;)+]) => { [$(<$Scalar as Scalar>::NAME),+] };
+/// }
+/// assert!(!sph_core::for_each_float!(names).contains(&"i16f16"));
+/// ```
 #[cfg(feature = "micromath")]
-#[doc(hidden)]
 #[macro_export]
-macro_rules! __with_fast_scalars {
-    ($callback:tt $context:tt $($list:tt)*) => {
-        $crate::__with_fixed_scalars! {
-            $callback $context $($list)*
-            Fast32: $crate::scalar::fast::Fast32, "32-bit floating point with micromath's approximations";
+macro_rules! for_each_float {
+    ($($callback:tt)::+ $(; $($context:tt)*)?) => {
+        $($callback)::+! {
+            [
+                F64: f64, "64-bit floating point";
+                F32: f32, "32-bit floating point";
+                Fast32: $crate::scalar::fast::Fast32, "32-bit floating point with micromath's approximations";
+            ]
+            $($($context)*)?
         }
     };
 }
 
+/// As [`for_each_scalar`](crate::for_each_scalar), with the scalars that are no fixed-point formats.
 #[cfg(not(feature = "micromath"))]
-#[doc(hidden)]
 #[macro_export]
-macro_rules! __with_fast_scalars {
-    ($($list:tt)*) => { $crate::__with_fixed_scalars! { $($list)* } };
+macro_rules! for_each_float {
+    ($($callback:tt)::+ $(; $($context:tt)*)?) => {
+        $($callback)::+! {
+            [
+                F64: f64, "64-bit floating point";
+                F32: f32, "32-bit floating point";
+            ]
+            $($($context)*)?
+        }
+    };
 }
 
 #[cfg(feature = "fixed")]
 #[doc(hidden)]
 #[macro_export]
-macro_rules! __with_fixed_scalars {
-    ($callback:tt $context:tt $($list:tt)*) => {
+macro_rules! __with_formats {
+    ([$($list:tt)*] $callback:tt $context:tt) => {
         $crate::for_each_format! { $crate::__with_all_scalars; $callback $context $($list)* }
     };
 }
@@ -75,8 +91,10 @@ macro_rules! __with_fixed_scalars {
 #[cfg(not(feature = "fixed"))]
 #[doc(hidden)]
 #[macro_export]
-macro_rules! __with_fixed_scalars {
-    ($($list:tt)*) => { $crate::__with_all_scalars! { [] $($list)* } };
+macro_rules! __with_formats {
+    ([$($list:tt)*] $callback:tt $context:tt) => {
+        $crate::__with_all_scalars! { [] $callback $context $($list)* }
+    };
 }
 
 #[doc(hidden)]

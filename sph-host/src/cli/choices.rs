@@ -6,7 +6,6 @@ use clap::builder::PossibleValue;
 use crate::estimate_choice::Estimate;
 use crate::kernel_choice::KernelName;
 use crate::run::{CaseName, Solver};
-use crate::scalar_choice::ScalarName;
 
 macro_rules! words {
     ($($Enum:ident),+) => {$(
@@ -22,4 +21,4 @@ macro_rules! words {
     )+};
 }
 
-words!(KernelName, ScalarName, Estimate, CaseName, Solver);
+words!(KernelName, Estimate, CaseName, Solver);

@@ -39,7 +39,7 @@ pub(super) struct RunArgs {
     #[arg(long, value_name = "SECONDS", value_parser = parse::positive, allow_hyphen_values = true)]
     time: Option<f64>,
     /// The number type: f64 (without it) or f32 for wcsph, f32 (without it), fast32 or fixed point for pbf
-    #[arg(long, value_enum)]
+    #[arg(long, value_name = "TYPE", value_parser = parse::scalar)]
     scalar: Option<ScalarName>,
     /// The kernel of wcsph; without it, wendland-c2
     #[arg(long, value_enum)]

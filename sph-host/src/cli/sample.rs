@@ -77,8 +77,7 @@ pub(super) struct SampleArgs {
     /// Sum the densities although there is a density column
     #[arg(long)]
     recompute_density: bool,
-    /// The number type
-    #[arg(long, value_enum, default_value_t = ScalarName::F64)]
+    #[arg(long, value_name = "TYPE", value_parser = parse::scalar, default_value_t = ScalarName::F64, help = scalar_help())]
     scalar: ScalarName,
     /// About how many particles a built-in set is to have
     #[arg(long = "particles", value_name = "N", value_parser = parse::count)]
@@ -122,6 +121,14 @@ fn long_about() -> String {
         io::ENDINGS.join(", "),
         sets(),
         output::ENDINGS.join(", "),
+    )
+}
+
+fn scalar_help() -> String {
+    let compiled: Vec<String> = ScalarName::compiled().map(ScalarName::name).collect();
+    format!(
+        "The number type: {}, or any other fixed point iAfB with A integer bits, the sign among them, and B fraction bits, 8 to 64 together",
+        compiled.join(", ")
     )
 }
 

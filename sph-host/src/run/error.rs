@@ -62,9 +62,7 @@ pub enum Error {
     },
     /// The solver does not compute in the scalar.
     #[error(
-        "{solver} does not compute in {}: expected {}",
-        .scalar.name(),
-        either(&.solver.scalars().iter().map(|scalar| scalar.name()).collect::<Vec<_>>())
+        "{solver} does not compute in {scalar}: expected {}", .solver.scalars()
     )]
     ScalarForSolver {
         /// What was asked for.
@@ -86,7 +84,7 @@ pub enum Error {
         solver: Solver,
     },
     /// The scalar cannot hold the coordinates of the case.
-    #[error("{} has no room for a box of {radii} support radii", .scalar.name())]
+    #[error("{scalar} has no room for a box of {radii} support radii")]
     BoxTooLarge {
         /// The scalar.
         scalar: ScalarName,

@@ -30,9 +30,9 @@ impl Method {
         if !case.solvers().contains(&solver) {
             return Err(Error::SolverForCase { solver, case });
         }
-        let (scalars, kernels) = (solver.scalars(), solver.kernels());
-        let scalar = scalar.unwrap_or(scalars[0]);
-        if !scalars.contains(&scalar) {
+        let kernels = solver.kernels();
+        let scalar = scalar.unwrap_or(solver.usual_scalar());
+        if !solver.takes(scalar) {
             return Err(Error::ScalarForSolver { scalar, solver });
         }
         let kernel = kernel.unwrap_or(kernels[0]);
@@ -57,7 +57,7 @@ impl Method {
                 Box::new(Simulation::<f64, D>::new(setup, self.kernel).map_err(Error::Begin)?)
             }
             (Solver::Pbf, scalar) => {
-                with_scalar!(scalar, T => self.position_based::<T, D>(setup, size, interval)?)
+                with_scalar!(scalar, T => self.position_based::<T, D>(setup, size, interval))?
             }
         })
     }

@@ -101,7 +101,9 @@ fn start(
 ) -> Result<(Summary, Series), Error> {
     let parameters = options.parameters()?;
     let threads = options.threads;
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.unwrap_or(0)).build();
+    let scalar = parameters.scalar;
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.unwrap_or(0));
+    let pool = pool.start_handler(move |_| scalar.enter()).build();
     let pool = pool.map_err(|error| Error::Threads { threads, reason: error.to_string() })?;
     let definition = parameters.case.definition();
     pool.install(|| match (&definition.in_2d, &definition.in_3d) {

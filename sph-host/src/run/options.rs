@@ -93,7 +93,7 @@ impl Options {
         take!(solver, |solver: Solver| solver.to_string());
         take!(dim, |dim: usize| dim.to_string());
         take!(resolution, |resolution: u32| resolution.to_string());
-        take!(scalar, |scalar: ScalarName| scalar.name().to_string());
+        take!(scalar, |scalar: ScalarName| scalar.name());
         take!(kernel, |kernel: KernelName| kernel.name().to_string());
         match self.every.replace(stored.every) {
             // A spacing that follows from the time may differ from its decimal digits by rounding.

@@ -13,15 +13,29 @@ named_enum! {
 }
 
 impl Solver {
-    /// The scalars that it computes in, the default first.
-    pub(crate) fn scalars(self) -> Vec<ScalarName> {
+    /// The scalar that it computes in without being told.
+    pub(crate) fn usual_scalar(self) -> ScalarName {
         match self {
-            Self::Wcsph => vec![ScalarName::F64, ScalarName::F32],
-            Self::Pbf => {
-                let others = |scalar: &ScalarName| !matches!(scalar, ScalarName::F32 | ScalarName::F64);
-                let others = ScalarName::ALL.iter().copied().filter(others);
-                std::iter::once(ScalarName::F32).chain(others).collect()
-            }
+            Self::Wcsph => ScalarName::F64,
+            Self::Pbf => ScalarName::F32,
+        }
+    }
+
+    /// Whether it computes in a scalar.
+    pub(crate) fn takes(self, scalar: ScalarName) -> bool {
+        match self {
+            Self::Wcsph => matches!(scalar, ScalarName::F64 | ScalarName::F32),
+            Self::Pbf => scalar != ScalarName::F64,
+        }
+    }
+
+    /// The scalars that it computes in, for people.
+    pub(crate) fn scalars(self) -> String {
+        let floats = ScalarName::FLOATS.iter().copied().filter(|&scalar| self.takes(scalar));
+        let names = floats.map(ScalarName::name).collect::<Vec<_>>();
+        match self {
+            Self::Wcsph => names.join(" or "),
+            Self::Pbf => format!("{} or fixed point such as i16f16", names.join(", ")),
         }
     }
 

@@ -61,8 +61,8 @@ fn errors_hold_what_was_found_and_what_is_possible() {
     ));
     assert!(matches!(refused(Options { every: Some(1e-9), ..base.clone() }), Error::TooManyFrames { .. }));
     assert!(matches!(
-        refused(Options { scalar: Some(ScalarName::I16F16), ..base.clone() }),
-        Error::ScalarForSolver { scalar: ScalarName::I16F16, solver: Solver::Wcsph }
+        refused(Options { scalar: ScalarName::of_name("i16f16"), ..base.clone() }),
+        Error::ScalarForSolver { scalar: ScalarName::Fixed(_), solver: Solver::Wcsph }
     ));
     assert!(matches!(
         refused(Options { kernel: Some(KernelName::Viscosity), ..base.clone() }),

@@ -179,7 +179,7 @@ pub enum SampleError {
         /// The unit that it is taken in.
         unit: f64,
         /// The scalar.
-        scalar: &'static str,
+        scalar: String,
     },
     /// A position that is outside the range of the scalar.
     #[error(
@@ -197,7 +197,7 @@ pub enum SampleError {
         /// The origin.
         origin: Vec<f64>,
         /// The scalar.
-        scalar: &'static str,
+        scalar: String,
     },
     /// The box of the particles is outside the range of the scalar.
     #[error("{file}: what the particles span, in units of {unit}, does not fit {scalar}: {error}")]
@@ -207,7 +207,7 @@ pub enum SampleError {
         /// The unit of length.
         unit: f64,
         /// The scalar.
-        scalar: &'static str,
+        scalar: String,
         /// What the cells of the search say of it.
         error: sph_core::Error,
     },
@@ -253,7 +253,7 @@ pub enum Warning {
     )]
     Coarse {
         /// The scalar.
-        scalar: &'static str,
+        scalar: String,
         /// The distance of neighbouring numbers at the farthest particle.
         resolution: f64,
         /// The smallest support radius.

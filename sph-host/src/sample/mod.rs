@@ -118,6 +118,10 @@ pub fn run(request: &Request, progress: &dyn Progress) -> Result<Sampled, Sample
     progress.begin(points.len() as u64, 0);
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(request.threads.map_or(0, |threads| threads.min(MOST_THREADS)))
+        .start_handler({
+            let scalar = request.scalar;
+            move |_| scalar.enter()
+        })
         .build()
         .map_err(|error| SampleError::Threads(error.to_string()))?;
     let done = pool.install(|| evaluate::evaluate(&plan, &mut checked.particles, &points, progress))?;

@@ -122,7 +122,7 @@ impl<'a> Plan<'a> {
 
     /// Particles that span so much that rounding moves them by a hundredth of h.
     fn coarse(&self) -> Option<Warning> {
-        let scalar = self.units.scalar;
+        let scalar = self.units.scalar.clone();
         let (epsilon, is_float) =
             with_scalar!(self.request.scalar, T => (T::EPSILON.to_f64(), is_float::<T>()));
         let farthest = self.axes.iter().zip(&self.units.origin).fold(0.0_f64, |most, (&axis, origin)| {

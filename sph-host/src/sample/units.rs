@@ -14,13 +14,14 @@
 use sph_core::Scalar;
 
 use super::span::Span;
+use crate::scalar_choice::name_of;
 
 /// The units of one run, as multiples of the file's, and the cells of its search: with the same of these, a program that
 /// links sph-core computes the same bits.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Units {
     /// The scalar's name.
-    pub scalar: &'static str,
+    pub scalar: String,
     /// Along each of the axes that sums run over.
     pub origin: Vec<f64>,
     /// The unit of length.
@@ -72,7 +73,15 @@ impl Units {
         });
         let origin = if is_float { snapped_origin(&boxes, length) } else { middle(&boxes) };
         let cells = cells(&boxes, span.supports.1, span.count);
-        Self { scalar: T::NAME, origin, length, mass, density, quantities: quantities.collect(), cells }
+        Self {
+            scalar: name_of::<T>(),
+            origin,
+            length,
+            mass,
+            density,
+            quantities: quantities.collect(),
+            cells,
+        }
     }
 
     /// Origin and unit of length; there are D axes.

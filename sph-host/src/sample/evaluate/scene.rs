@@ -7,6 +7,7 @@ use crate::parallel;
 use crate::sample::error::SampleError;
 use crate::sample::particles::{Particles, Support};
 use crate::sample::plan::Plan;
+use crate::scalar_choice::name_of;
 
 /// Everything that the sums need, particles in the order of their cells.
 ///
@@ -43,7 +44,7 @@ impl<T: Scalar, const D: usize> Scene<T, D> {
         let layout = layout(plan).map_err(|error| SampleError::BoxOutOfRange {
             file: file.clone(),
             unit: units.length,
-            scalar: T::NAME,
+            scalar: name_of::<T>(),
             error,
         })?;
         let (mut starts, mut entries) = (vec![0; layout.cells() + 1], vec![0; read.len()]);
@@ -137,7 +138,7 @@ pub(super) fn positions<T: Scalar, const D: usize>(
             position: read(particle).to_vec(),
             unit: plan.units.length,
             origin: plan.units.origin.clone(),
-            scalar: T::NAME,
+            scalar: name_of::<T>(),
         }),
     }
 }
@@ -154,7 +155,7 @@ pub(super) fn fitted<'v, T: Scalar>(
         if fitted.is_finite() {
             return Ok(fitted);
         }
-        let (file, what, scalar) = (file.to_owned(), what.to_owned(), T::NAME);
+        let (file, what, scalar) = (file.to_owned(), what.to_owned(), name_of::<T>());
         Err(SampleError::OutOfRange { file, what, value, unit, scalar })
     };
     values.map(fitted).collect()

@@ -1,0 +1,98 @@
+//! Integer arithmetic in 128 bits, rounded once to a format.
+
+use super::format::{Format, Overflow, Rounding};
+
+/// 2^n
+pub(super) fn power_of_two(n: u32) -> f64 {
+    f64::from_bits(u64::from(1023 + n) << 52)
+}
+
+/// The largest count.
+pub(super) fn max(format: Format) -> i64 {
+    i64::MAX >> (64 - format.bits())
+}
+
+/// The most negative count: NaR where results are checked.
+fn min(format: Format) -> i64 {
+    i64::MIN >> (64 - format.bits())
+}
+
+pub(super) fn is_nar(format: Format, count: i64) -> bool {
+    format.overflow() == Overflow::Checked && count == min(format)
+}
+
+/// A result that no number is: 0/0, √−1, NaN.
+pub(super) fn undefined(format: Format) -> i64 {
+    if format.overflow() == Overflow::Checked { min(format) } else { 0 }
+}
+
+/// A result beyond every wide integer, of which the low 64 bits are known.
+pub(super) fn beyond(format: Format, negative: bool, low: i64) -> i64 {
+    match format.overflow() {
+        Overflow::Saturating if negative => -max(format),
+        Overflow::Saturating => max(format),
+        Overflow::Wrapping => low_bits(format, low.into()),
+        Overflow::Checked => min(format),
+    }
+}
+
+/// The low bits of a wide integer, the highest of them its sign.
+pub(super) fn low_bits(format: Format, wide: i128) -> i64 {
+    let above = 64 - format.bits();
+    (wide as i64) << above >> above
+}
+
+/// A wide result, held in the symmetric range −MAX to MAX as the format's answer to overflow says.
+pub(super) fn held(format: Format, wide: i128) -> i64 {
+    let most = i128::from(max(format));
+    match format.overflow() {
+        Overflow::Saturating => wide.clamp(-most, most) as i64,
+        Overflow::Wrapping => low_bits(format, wide),
+        Overflow::Checked if wide.unsigned_abs() <= most.unsigned_abs() => wide as i64,
+        Overflow::Checked => min(format),
+    }
+}
+
+/// A sum, difference or opposite: saturation ends at the most negative count, as that of the processor's integers does.
+pub(super) fn held_sum(format: Format, wide: i128) -> i64 {
+    match format.overflow() {
+        Overflow::Saturating => wide.clamp(min(format).into(), max(format).into()) as i64,
+        _ => held(format, wide),
+    }
+}
+
+/// wide / 2^`bits`
+pub(super) fn rounded(format: Format, wide: i128, bits: u32) -> i128 {
+    if bits == 0 {
+        return wide;
+    }
+    match format.rounding() {
+        Rounding::Nearest => (wide + (1 << (bits - 1)) - i128::from(wide < 0)) >> bits,
+        Rounding::Floor => wide >> bits,
+        Rounding::TowardZero => (wide + if wide < 0 { (1 << bits) - 1 } else { 0 }) >> bits,
+    }
+}
+
+/// numerator / denominator; `None` for a denominator of 0.
+pub(super) fn quotient(format: Format, numerator: i128, denominator: i128) -> Option<i128> {
+    let divisor = denominator.unsigned_abs();
+    let is_negative = (numerator < 0) != (denominator < 0);
+    let size = numerator.unsigned_abs();
+    let floor = size.checked_div(divisor)?;
+    let rest = size % divisor;
+    let away = match format.rounding() {
+        Rounding::Nearest => rest >= divisor - rest,
+        Rounding::Floor => is_negative && rest > 0,
+        Rounding::TowardZero => false,
+    };
+    let rounded = (floor + u128::from(away)) as i128;
+    Some(if is_negative { -rounded } else { rounded })
+}
+
+/// √ of a count that is not negative.
+pub(super) fn root(format: Format, count: i64) -> i64 {
+    let square = u128::from(count.unsigned_abs()) << format.fraction_bits();
+    let floor = square.isqrt();
+    let is_nearer_above = format.rounding() == Rounding::Nearest && square - floor * floor > floor;
+    (floor + u128::from(is_nearer_above)) as i64
+}

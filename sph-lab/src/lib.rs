@@ -1,0 +1,33 @@
+//! Number types for experiments: run the code of a firmware in a number format before that format is compiled for it.
+//!
+//! | type | question | answer |
+//! |---|---|---|
+//! | [`Emulated`] | what do so many bits give, rounded and overflowing this way? | the bits that the compiled type gives |
+//!
+//! Each is a [`Scalar`](sph_core::Scalar) of sph-core, so everything that is generic over the scalar runs on it unchanged, a
+//! fluid as well as a field:
+//!
+//! ```
+//! use sph_core::{BruteForce, KernelInfluence, Scalar, Sources, Uniform, kernel::Poly6};
+//! use sph_lab::{Emulated, Format};
+//!
+//! // generic code, as a firmware has it
+//! fn density<T: Scalar>() -> f64 {
+//!     let row: Vec<[T; 1]> = (0..9).map(|i| [T::ratio(i, 7)]).collect();
+//!     let sources = Sources::new(BruteForce::open(&row).unwrap(), Uniform(T::ratio(1, 7))).unwrap();
+//!     let w = KernelInfluence::<T, 1, Poly6>::new(T::ratio(1, 3)).unwrap();
+//!     sources.density_at(&w, &[T::ratio(3, 5)]).to_f64()
+//! }
+//!
+//! let exact = density::<f64>();
+//! let error = |name: &str| {
+//!     let format: Format = name.parse().unwrap();
+//!     (format.scope(density::<Emulated>) / exact - 1.0).abs()
+//! };
+//! assert!(error("i4f12") < 1e-3);
+//! assert!(error("i4f12") > error("i4f20"));
+//! ```
+
+mod emulated;
+
+pub use emulated::{Emulated, EmulatedSum, Format, FormatError, Overflow, Rounding};
