@@ -16,6 +16,7 @@ pub(super) struct ParticleRecords<T> {
 }
 
 #[inline(always)]
+#[expect(clippy::manual_memcpy, reason = "a call would copy three numbers")]
 fn four<T: Real, const D: usize>(vector: &[T; D], number: T) -> Four<T> {
     const { assert!(D <= 3, "a vector has room for three components") };
     let mut four = [T::ZERO, T::ZERO, T::ZERO, number];
