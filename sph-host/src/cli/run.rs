@@ -137,7 +137,7 @@ pub(super) fn run(args: RunArgs) -> Result<(), Failure> {
         every: args.every,
         threads: args.threads,
     };
-    let bar = Bar::new(args.quiet, "{bar:40} {percent} %, {eta} left");
+    let bar = Bar::new(args.quiet, "{bar:40} {percent} %, {left}");
     let summary = run::run(&options, &output, &bar).map_err(failure)?;
     to_stdout(std::io::stdout().write_all(summary.table().as_bytes()))?;
     if summary.escaped > 0 {

@@ -149,7 +149,7 @@ pub(super) fn run(args: SampleArgs) -> Result<(), Failure> {
     if let Some(target) = &target {
         target.check(matches!(request.at, SamplePoints::Grid { .. }))?;
     }
-    let bar = Bar::new(quiet, "{bar:40} {human_pos}/{human_len} points, {eta} left");
+    let bar = Bar::new(quiet, "{bar:40} {human_pos}/{human_len} points, {left}");
     let sampled = sample::run(&request, &bar).map_err(explain)?;
     for warning in &sampled.warnings {
         say(&format!("warning: {}", in_words(warning)));
