@@ -176,6 +176,25 @@ mod tests {
     }
 
     #[test]
+    fn an_emulated_fluid_moves_as_the_compiled_one() {
+        fn positions<T: Compact>() -> Vec<[f64; 2]> {
+            let (setup, size) = column();
+            let mut fluid = PositionBased::<T, 2>::new(&setup, size, 0.01).unwrap();
+            fluid.advance(0.2).unwrap();
+            fluid.snapshot().positions
+        }
+        let emulated = |name: &str| {
+            let format: sph_lab::Format = name.parse().unwrap();
+            // whose thread it is does not matter as long as each enters the format
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(2).start_handler(move |_| format.enter());
+            pool.build().unwrap().install(positions::<sph_lab::Emulated>)
+        };
+        assert_eq!(emulated("i16f16"), positions::<Saturating<I16F16>>());
+        assert_eq!(emulated("i8f24"), positions::<Saturating<I8F24>>());
+        assert_ne!(emulated("i24f8"), positions::<Saturating<I8F24>>());
+    }
+
+    #[test]
     fn a_box_that_the_scalar_cannot_hold_is_refused() {
         use sph_core::scalar::fixed::I4F28;
         let (setup, size) = column();
