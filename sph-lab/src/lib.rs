@@ -15,7 +15,7 @@
 //! fn density<T: Scalar>() -> f64 {
 //!     let row: Vec<[T; 1]> = (0..9).map(|i| [T::ratio(i, 7)]).collect();
 //!     let sources = Sources::new(BruteForce::open(&row).unwrap(), Uniform(T::ratio(1, 7))).unwrap();
-//!     let w = KernelInfluence::<T, 1, Poly6>::new(T::ratio(1, 3)).unwrap();
+//!     let w = KernelInfluence::<T, 1, Poly6>::new(T::ratio(3, 7)).unwrap();
 //!     sources.density_at(&w, &[T::ratio(3, 5)]).to_f64()
 //! }
 //!
