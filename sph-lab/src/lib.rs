@@ -28,6 +28,7 @@
 //! assert!(error("i4f12") > error("i4f20"));
 //! ```
 
+mod assign;
 mod emulated;
 
 pub use emulated::{Emulated, EmulatedSum, Format, FormatError, Overflow, Rounding};

@@ -59,6 +59,8 @@ pub trait NearUnit: Arithmetic + PartialOrd + Default + Debug + Send + Sync + 's
         (0..D).all(|axis| x[axis] >= low && x[axis] <= high[axis])
     }
 
+    /// The number as an f64, exact.
+    fn to_f64(self) -> f64;
     /// ⌊x⌋; 0 for NaN.
     fn floor(self) -> i32;
     /// Returns the form in memory; fixed point is clamped to ±2.
@@ -99,12 +101,61 @@ pub trait NearUnit: Arithmetic + PartialOrd + Default + Debug + Send + Sync + 's
     }
 }
 
-macro_rules! float {
-    ($($Float:ty: $zero:expr),+) => {$(
-        impl Compact for $Float {
+/// Makes a scalar its own companion, as f32 and f64 are: what a scalar of your own needs to run the real-time fluid. It takes the
+/// type's parameters in brackets, the type, and its zero.
+///
+/// ```
+/// # use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
+/// # use sph_core::{Accumulator, Arithmetic, Scalar};
+/// use sph_core::scalar::compact::{Compact, NearUnit};
+///
+/// #[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
+/// struct Mine(f64);
+/// // ... its operators, Arithmetic, Scalar and a sum, as the example of `Scalar` has them ...
+/// # impl Add for Mine { type Output = Self; fn add(self, other: Self) -> Self { Self(self.0 + other.0) } }
+/// # impl Sub for Mine { type Output = Self; fn sub(self, other: Self) -> Self { Self(self.0 - other.0) } }
+/// # impl Mul for Mine { type Output = Self; fn mul(self, other: Self) -> Self { Self(self.0 * other.0) } }
+/// # impl Div for Mine { type Output = Self; fn div(self, other: Self) -> Self { Self(self.0 / other.0) } }
+/// # impl Neg for Mine { type Output = Self; fn neg(self) -> Self { Self(-self.0) } }
+/// # impl AddAssign for Mine { fn add_assign(&mut self, other: Self) { self.0 += other.0 } }
+/// # impl SubAssign for Mine { fn sub_assign(&mut self, other: Self) { self.0 -= other.0 } }
+/// # impl Arithmetic for Mine {
+/// #     const ZERO: Self = Self(0.0);
+/// #     const ONE: Self = Self(1.0);
+/// #     fn ratio(numerator: i32, denominator: i32) -> Self { Self(Arithmetic::ratio(numerator, denominator)) }
+/// #     fn positive_part(self) -> Self { Self(self.0.positive_part()) }
+/// #     fn times(self, n: i32) -> Self { Self(self.0.times(n)) }
+/// # }
+/// # impl Scalar for Mine {
+/// #     type Sum = Self;
+/// #     const NAME: &'static str = "mine";
+/// #     const EPSILON: Self = Self(f64::EPSILON);
+/// #     const MAX: Self = Self(f64::MAX);
+/// #     fn from_f64(value: f64) -> Self { Self(value) }
+/// #     fn to_f64(self) -> f64 { self.0 }
+/// #     fn sqrt(self) -> Self { Self(Scalar::sqrt(self.0)) }
+/// #     fn is_finite(self) -> bool { self.0.is_finite() }
+/// #     fn floor_to_i32(self) -> i32 { self.0.floor_to_i32() }
+/// #     fn canonical_bits(self) -> u64 { self.0.canonical_bits() }
+/// # }
+/// # impl Accumulator<Mine> for Mine {
+/// #     const ZERO: Self = Self(0.0);
+/// #     fn add(&mut self, term: Mine) { self.0 += term.0 }
+/// #     fn total(self) -> Mine { self }
+/// # }
+/// sph_core::own_companion!([] Mine, Mine(0.0));
+///
+/// assert_eq!(Mine(1.5).offset(Mine(1.0)), Mine(0.5));
+/// assert_eq!(NearUnit::to_f64(Mine(0.5)), 0.5);
+/// ```
+#[macro_export]
+macro_rules! own_companion {
+    ([$($parameters:tt)*] $Scalar:ty, $zero:expr) => {
+        impl<$($parameters)*> $crate::scalar::compact::Compact for $Scalar {
             type Near = Self;
 
             #[inline(always)]
+            #[track_caller]
             fn offset(self, other: Self) -> Self {
                 self - other
             }
@@ -115,53 +166,36 @@ macro_rules! float {
             }
         }
 
-        impl<const D: usize> Pack<$Float, D> for [$Float; D] {
-            const ZERO: Self = [$zero; D];
+        $crate::own_companion!(@pack [$($parameters)*, const DIMENSION: usize] $Scalar, $zero);
 
-            #[inline(always)]
-            fn pack(vector: Self) -> Self {
-                vector
-            }
-
-            #[inline(always)]
-            fn unpack(self) -> Self {
-                self
-            }
-
-            #[inline(always)]
-            fn plus(self, other: Self) -> Self {
-                vector::add(&self, &other)
-            }
-
-            #[inline(always)]
-            fn minus(self, other: Self) -> Self {
-                vector::sub(&self, &other)
-            }
-        }
-
-        impl NearUnit for $Float {
+        impl<$($parameters)*> $crate::scalar::compact::NearUnit for $Scalar {
             type Stored = Self;
-            type Packed<const D: usize> = [Self; D];
+            type Packed<const DIMENSION: usize> = [Self; DIMENSION];
 
             const STORED_ZERO: Self = $zero;
             const NO_WEIGHT: Self = $zero;
 
             #[inline(always)]
+            fn to_f64(self) -> f64 {
+                $crate::Scalar::to_f64(self)
+            }
+
+            #[inline(always)]
             fn clamp_abs(self, limit: Self) -> Self {
-                if self.abs() <= limit {
+                if $crate::Scalar::abs(self) <= limit {
                     self
                 } else if self > limit {
                     limit
                 } else if self < -limit {
                     -limit
                 } else {
-                    Self::ZERO
+                    $zero
                 }
             }
 
             #[inline(always)]
             fn floor(self) -> i32 {
-                self.floor_to_i32()
+                $crate::Scalar::floor_to_i32(self)
             }
 
             #[inline(always)]
@@ -189,10 +223,41 @@ macro_rules! float {
                 stored
             }
         }
-    )+};
+    };
+    (@pack [, $($parameters:tt)*] $Scalar:ty, $zero:expr) => {
+        $crate::own_companion!(@pack [$($parameters)*] $Scalar, $zero);
+    };
+    (@pack [$($parameters:tt)*] $Scalar:ty, $zero:expr) => {
+        impl<$($parameters)*> $crate::scalar::compact::Pack<$Scalar, DIMENSION> for [$Scalar; DIMENSION] {
+            const ZERO: Self = [$zero; DIMENSION];
+
+            #[inline(always)]
+            fn pack(vector: Self) -> Self {
+                vector
+            }
+
+            #[inline(always)]
+            fn unpack(self) -> Self {
+                self
+            }
+
+            #[inline(always)]
+            #[track_caller]
+            fn plus(self, other: Self) -> Self {
+                $crate::vector::add(&self, &other)
+            }
+
+            #[inline(always)]
+            #[track_caller]
+            fn minus(self, other: Self) -> Self {
+                $crate::vector::sub(&self, &other)
+            }
+        }
+    };
 }
 
-float!(f32: 0.0, f64: 0.0);
+own_companion!([] f32, 0.0);
+own_companion!([] f64, 0.0);
 
 #[cfg(feature = "micromath")]
-float!(super::fast::Fast32: super::fast::Fast32(0.0));
+own_companion!([] super::fast::Fast32, super::fast::Fast32(0.0));

@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 use std::fmt::{Debug, Display, Formatter};
-use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
+use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::exact::{held_sum, is_nar, quotient, rounded, undefined};
 use super::{Emulated, Format};
@@ -66,17 +66,7 @@ impl Neg for Emulated {
     }
 }
 
-impl AddAssign for Emulated {
-    fn add_assign(&mut self, other: Self) {
-        *self = *self + other;
-    }
-}
-
-impl SubAssign for Emulated {
-    fn sub_assign(&mut self, other: Self) {
-        *self = *self - other;
-    }
-}
+crate::assign::assign_operators!([] Emulated);
 
 impl PartialEq for Emulated {
     fn eq(&self, other: &Self) -> bool {

@@ -39,6 +39,11 @@ impl NearUnit for Near14 {
     }
 
     #[inline(always)]
+    fn to_f64(self) -> f64 {
+        f64::from(self.0) / f64::from(1 << FRACTION)
+    }
+
+    #[inline(always)]
     fn floor(self) -> i32 {
         self.0.wrapping_shr(FRACTION)
     }
