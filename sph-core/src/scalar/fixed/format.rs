@@ -2,10 +2,12 @@
 
 use super::{Fixed, Sealed, Word, binary64};
 use crate::scalar::Table;
+use ::fixed::types::extra::{LeEqU8, LeEqU16, LeEqU32, LeEqU64};
+use ::fixed::{FixedI8, FixedI16, FixedI32, FixedI64};
 use core::fmt::{Debug, Display};
 
-/// Calls a macro with the list of the formats: type, name and description of each, and then with what follows `;`. A new format
-/// is one line here.
+/// Calls a macro with the list of the formats that are shown and tested by name everywhere: type, name and description of each, and
+/// then with what follows `;`. A new one is one line here; every other split of 8, 16, 32 or 64 bits is a [`Format`](crate::scalar::fixed::Format) as well.
 ///
 /// ```
 /// macro_rules! names {
@@ -32,10 +34,31 @@ macro_rules! for_each_format {
     };
 }
 
-/// A signed type of the `fixed` crate that [`Fixed`] can be made of. Sealed: one line of [`for_each_format`](crate::for_each_format)
-/// each.
+macro_rules! exported {
+    ([$($Format:ident $name:tt $about:tt;)+]) => { pub use ::fixed::types::{$($Format),+}; };
+}
+for_each_format!(exported);
+
+/// A signed type of the `fixed` crate that [`Fixed`] can be made of: every split of 8, 16, 32 or 64 bits that leaves an integer bit,
+/// which is the sign. [`types`](super::types) has their names. Sealed.
+///
+/// ```
+/// use sph_core::Scalar;
+/// use sph_core::scalar::fixed::{Saturating, types::I3F13};
+/// type Real = Saturating<I3F13>;
+/// assert_eq!(Real::NAME, "i3f13");
+/// assert_eq!(Real::from_f64(5.0).to_f64(), 4.0 - 1.0 / 8192.0);
+/// ```
+///
+/// A split without an integer bit does not compile:
+///
+/// ```compile_fail
+/// # use sph_core::Arithmetic;
+/// use sph_core::scalar::fixed::{Saturating, types::I0F16};
+/// let one = Saturating::<I0F16>::ONE;
+/// ```
 pub trait Format: ::fixed::traits::FixedSigned<Bits: Word> + Debug + Display + Send + Sync + Sealed {
-    /// 1
+    /// 1, and the largest number where the format ends below it, as those of one integer bit do.
     const ONE: Self;
     /// One unit below the largest number.
     const BELOW_MAX: Self;
@@ -46,16 +69,20 @@ pub trait Format: ::fixed::traits::FixedSigned<Bits: Word> + Debug + Display + S
 }
 
 macro_rules! formats {
-    ([$($Format:ident $name:tt $about:tt;)+]) => {$(
-        pub use ::fixed::types::$Format;
+    ($($Fixed:ident of $Word:ty: $Fraction:ident;)+) => {$(
+        impl<F: $Fraction> Sealed for $Fixed<F> {}
 
-        impl Sealed for $Format {}
-
-        impl Format for $Format {
-            const ONE: Self = Self::ONE;
-            const BELOW_MAX: Self = Self::from_bits(Self::MAX.to_bits() - 1);
-            const NAMES: [&'static str; 3] =
-                [$name, concat!("wrapping-", $name), concat!("checked-", $name)];
+        impl<F: $Fraction + Send + Sync> Format for $Fixed<F> {
+            const ONE: Self = {
+                assert!(F::U32 < <$Word>::BITS, "expected at least 1 integer bit, which is the sign");
+                if F::U32 + 1 < <$Word>::BITS { Self::from_bits(1 << F::U32) } else { Self::MAX }
+            };
+            const BELOW_MAX: Self = Self::from_bits(<$Word>::MAX - 1);
+            const NAMES: [&'static str; 3] = [
+                const { &Name::new("", <$Word>::BITS - F::U32, F::U32) }.as_str(),
+                const { &Name::new("wrapping-", <$Word>::BITS - F::U32, F::U32) }.as_str(),
+                const { &Name::new("checked-", <$Word>::BITS - F::U32, F::U32) }.as_str(),
+            ];
 
             #[inline(always)]
             fn constant<C: Table<ROWS, N>, const ROWS: usize, const N: usize>(
@@ -66,7 +93,8 @@ macro_rules! formats {
                     let mut table = [[Self::ZERO; N]; ROWS];
                     let mut i = 0;
                     while i < ROWS * N {
-                        table[i / N][i % N] = Self::from_bits(binary64::literal(C::VALUES[i / N][i % N], Self::FRAC_NBITS) as _);
+                        let count = binary64::literal(C::VALUES[i / N][i % N], F::U32);
+                        table[i / N][i % N] = Self::from_bits(within(count, <$Word>::MAX as i64) as $Word);
                         i += 1;
                     }
                     &{ table }
@@ -75,12 +103,64 @@ macro_rules! formats {
             }
         }
 
-        impl<O> From<Fixed<$Format, O>> for $Format {
-            fn from(number: Fixed<$Format, O>) -> Self {
+        impl<F: $Fraction, O> From<Fixed<$Fixed<F>, O>> for $Fixed<F> {
+            fn from(number: Fixed<$Fixed<F>, O>) -> Self {
                 number.get()
             }
         }
     )+};
 }
 
-for_each_format!(formats);
+formats! {
+    FixedI8 of i8: LeEqU8;
+    FixedI16 of i16: LeEqU16;
+    FixedI32 of i32: LeEqU32;
+    FixedI64 of i64: LeEqU64;
+}
+
+/// The count, held at −`max` and `max`: ±1 in a format that ends below it.
+const fn within(count: i64, max: i64) -> i64 {
+    if count > max {
+        max
+    } else if count < -max {
+        -max
+    } else {
+        count
+    }
+}
+
+/// A scalar's name, put together when the program is compiled.
+struct Name {
+    letters: [u8; 16],
+    length: usize,
+}
+
+impl Name {
+    const fn new(mode: &str, integer_bits: u32, fraction_bits: u32) -> Self {
+        let mut name = Self { letters: [0; 16], length: 0 };
+        let mut i = 0;
+        while i < mode.len() {
+            name = name.with(mode.as_bytes()[i]);
+            i += 1;
+        }
+        name.with(b'i').with_number(integer_bits).with(b'f').with_number(fraction_bits)
+    }
+
+    const fn with(mut self, letter: u8) -> Self {
+        self.letters[self.length] = letter;
+        self.length += 1;
+        self
+    }
+
+    const fn with_number(self, number: u32) -> Self {
+        let last = b'0' + (number % 10) as u8;
+        if number < 10 { self.with(last) } else { self.with(b'0' + (number / 10) as u8).with(last) }
+    }
+
+    const fn as_str(&self) -> &str {
+        match core::str::from_utf8(self.letters.split_at(self.length).0) {
+            Ok(name) => name,
+            Err(_) => unreachable!(),
+        }
+    }
+}

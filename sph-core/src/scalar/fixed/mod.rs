@@ -56,10 +56,11 @@ mod tests;
 
 use crate::scalar::Table;
 use crate::{Arithmetic, Scalar};
+pub use ::fixed::types;
 use binary64::Units;
 use core::cmp::Ordering;
 use core::marker::PhantomData;
-pub use format::*; // the trait and all formats
+pub use format::*; // the trait and the formats that are shown by name
 pub use mode::{Check, Overflow, Saturate, Wide, Wrap};
 pub use near::Near14;
 pub use packed::Packed14;
@@ -68,6 +69,7 @@ pub use word::Word;
 
 /// Keeps the sets of formats, words and modes closed.
 pub trait Sealed {}
+impl Sealed for i8 {}
 impl Sealed for i16 {}
 impl Sealed for i32 {}
 impl Sealed for i64 {}

@@ -3,7 +3,7 @@
 //! Rounding is symmetric about zero, so the force of i on j is the force of j on i with the other sign, to the bit. A bare
 //! `>>` rounds toward −∞ instead: −½ unit on average, which gives every particle the same small push.
 
-/// The integer behind a fixed-point type: `i16`, `i32` or `i64`. Sealed; nothing here panics.
+/// The integer behind a fixed-point type: `i8`, `i16`, `i32` or `i64`. Sealed; nothing here panics.
 pub trait Word: Copy + Ord + super::Sealed + 'static {
     /// Holds a product with an `i32`, a shifted dividend and a sum of 2³² terms (`i64`: of 2⁶⁴).
     type Wide: Copy + Ord + From<i32> + core::fmt::Debug + Send + Sync + 'static;
@@ -21,11 +21,11 @@ pub trait Word: Copy + Ord + super::Sealed + 'static {
     fn added_to(self, sum: Self::Wide) -> Self::Wide;
     /// Whether a sum was put at [`POISON`](Self::POISON); terms added since do not hide it.
     fn is_poisoned(sum: Self::Wide) -> bool;
-    /// The product with a sum over 2^`bits`, rounded, held at the ends of the wide type; `bits` is from 1 to the word's.
+    /// The product with a sum over 2^`bits`, rounded, held at the ends of the wide type; `bits` is less than the word's.
     fn times_sum(self, sum: Self::Wide, bits: u32) -> Self::Wide;
     /// n times this word, exact.
     fn scaled(self, n: i32) -> Self::Wide;
-    /// The product over 2^`bits`, rounded; `bits` is at least 1.
+    /// The product over 2^`bits`, rounded.
     fn product(self, other: Self, bits: u32) -> Self::Wide;
     /// 2^`bits` self / divisor, rounded; None for a divisor of 0.
     fn divided(self, divisor: Self, bits: u32) -> Option<Self::Wide>;
@@ -91,6 +91,9 @@ macro_rules! word {
             #[inline(always)]
             fn times_sum(self, sum: $Wide, bits: u32) -> $Wide {
                 let factor = <$Wide>::from(self);
+                if bits == 0 {
+                    return sum.saturating_mul(factor);
+                }
                 let high = sum.wrapping_shr(Self::BITS).wrapping_mul(factor);
                 let half = <$Wide>::from(1i8).wrapping_shl(bits.wrapping_sub(1));
                 let minus_one_if_negative = (sum ^ factor).wrapping_shr(<$Wide>::BITS - 1);
@@ -113,6 +116,9 @@ macro_rules! word {
             #[inline(always)]
             fn product(self, other: Self, bits: u32) -> $Wide {
                 let exact = <$Double>::from(self).wrapping_mul(other.into());
+                if bits == 0 {
+                    return exact.into();
+                }
                 let half = <$Double>::from(1i8).wrapping_shl(bits.wrapping_sub(1));
                 let minus_one_if_negative = exact.wrapping_shr(<$Double>::BITS - 1);
                 exact.wrapping_add(half).wrapping_add(minus_one_if_negative).wrapping_shr(bits).into()
@@ -152,7 +158,8 @@ macro_rules! word {
             fn split(self, from: u32, to: u32) -> (usize, Self) {
                 let below = from.saturating_sub(to);
                 let rest = self & !<$Word>::MIN.wrapping_shr(Self::BITS.wrapping_sub(1).wrapping_sub(below));
-                (self.wrapping_shr(below) as usize, rest.wrapping_shl(to))
+                let above = to.saturating_sub(from);
+                ((self.wrapping_shr(below) as usize).wrapping_shl(above), rest.wrapping_shl(to))
             }
 
             #[inline(always)]
@@ -222,6 +229,7 @@ macro_rules! word {
     };
 }
 
+word!(i8, u8, i16, u16, i64);
 word!(i16, u16, i32, u32, i64);
 word!(i32, u32, i64, u64, i64);
 word!(i64, u64, i128, u128, i128);

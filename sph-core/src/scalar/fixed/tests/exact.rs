@@ -71,7 +71,8 @@ fn single<F: Format, O: Overflow>(a: i64, n: i32) {
     if a < 0 && O::STICKY {
         assert!(is_nar(x.sqrt()));
     } else {
-        assert!(root >= 0 && 4 * square < (2 * root + 1) * (2 * root + 1), "√{a}");
+        let (root, square) = (root as u128, square as u128);
+        assert!(4 * square < (2 * root + 1) * (2 * root + 1), "√{a}");
         assert!(root == 0 || 4 * square > (2 * root - 1) * (2 * root - 1), "√{a}");
     }
 }

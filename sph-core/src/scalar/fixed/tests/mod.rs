@@ -9,10 +9,16 @@ mod sums;
 use super::*;
 use core::mem::size_of;
 
-/// Calls a generic check for every format under every mode.
+use ::fixed::types::{I1F7, I1F15, I1F31, I2F62, I3F13, I8F0, I16F0, I32F0};
+
+/// Calls a generic check under every mode for the formats that are shown by name, and for the ends of every word's splits.
 macro_rules! every {
     ($check:ident $arguments:tt) => {
-        crate::for_each_format!(every; $check $arguments)
+        crate::for_each_format!(every; $check $arguments);
+        every!(
+            [I1F7 "" ""; I8F0 "" ""; I1F15 "" ""; I3F13 "" ""; I16F0 "" ""; I1F31 "" ""; I32F0 "" ""; I2F62 "" "";]
+            $check $arguments
+        )
     };
     ([$($Format:ident $name:tt $about:tt;)+] $check:ident $arguments:tt) => {$(
         every!(one $check, $Format, Wrap, $arguments);

@@ -5,7 +5,7 @@ use std::string::ToString;
 
 fn layout<F: Format, O: Overflow>() {
     assert_eq!(size_of::<Fixed<F, O>>(), size_of::<F>());
-    assert_eq!(Fixed::<F, O>::ONE.to_f64(), 1.0);
+    assert_eq!(count(Fixed::<F, O>::ONE), (1 << F::FRAC_NBITS).min(largest::<F>()));
     assert_eq!(count(Fixed::<F, O>::EPSILON), 1);
     assert_eq!(count(Fixed::<F, O>::default()), 0);
     assert!(Fixed::<F, O>::MAX.is_finite());
@@ -24,6 +24,8 @@ fn names() {
     assert_eq!(Saturating::<I16F16>::NAME, "i16f16");
     assert_eq!(Wrapping::<I32F32>::NAME, "wrapping-i32f32");
     assert_eq!(Checked::<I4F12>::NAME, "checked-i4f12");
+    assert_eq!(Saturating::<I1F7>::NAME, "i1f7");
+    assert_eq!(Wrapping::<I32F0>::NAME, "wrapping-i32f0");
 }
 
 fn division_by_zero<F: Format, O: Overflow>() {
@@ -85,6 +87,23 @@ fn prints_decimals() {
     assert_eq!(Saturating::<I16F16>::from_f64(-1.25).to_string(), "-1.25");
     assert_eq!(std::format!("{:8.2}|", Checked::<I8F24>::ratio(1, 3)), "    0.33|");
     assert_eq!(std::format!("{:>5?}|", Checked::<I8F24>::NAR), "  NaR|");
+}
+
+struct Ends;
+
+impl Table<1, 2> for Ends {
+    const VALUES: [[f64; 2]; 1] = [[1.0, -1.0]];
+}
+
+fn table_of_ends<F: Format, O: Overflow>() {
+    let entry = |i| count(Fixed::<F, O>::constant::<Ends, 1, 2>(0, i).unwrap());
+    assert_eq!(entry(0), (1 << F::FRAC_NBITS).min(largest::<F>()));
+    assert_eq!(entry(1), -entry(0));
+}
+
+#[test]
+fn a_table_keeps_to_the_range() {
+    every!(table_of_ends());
 }
 
 /// The negative end is told from NaR by `to_bits` alone, so other values never share bits.

@@ -58,7 +58,7 @@ fn scaled<F: Format, O: Overflow>(terms: &[i64], a: i64, b: i64) {
     let unit = 1i128 << F::FRAC_NBITS;
     let times = |number, exact: i128| {
         let product = count::<F, O>(number).checked_mul(exact)?;
-        // what the sum of a 32-bit word has room for
+        // what the sum of a word of up to 32 bits has room for
         Some(nearest(product, unit)).filter(|&product| i64::try_from(product).is_ok())
     };
     if let Some(expected) = times(b, exact).and_then(|scaled| times(a, scaled)) {
