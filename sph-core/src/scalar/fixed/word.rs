@@ -8,7 +8,7 @@ pub trait Word: Copy + Ord + super::Sealed + 'static {
     /// Holds a product with an `i32`, a shifted dividend and a sum of 2³² terms (`i64`: of 2⁶⁴).
     type Wide: Copy + Ord + From<i32> + core::fmt::Debug + Send + Sync + 'static;
 
-    /// So far out that a sum put here when it meets a NaR stays out of range, whatever terms follow.
+    /// So far out that a sum put here when it meets a NaR stays out of range, whatever terms follow, of either sign.
     const POISON: Self::Wide;
     /// 0
     const EMPTY_SUM: Self::Wide;
@@ -65,7 +65,7 @@ macro_rules! word {
         impl Word for $Word {
             type Wide = $Wide;
 
-            const POISON: $Wide = <$Wide>::MIN;
+            const POISON: $Wide = <$Wide>::MIN / 4 * 3;
             const EMPTY_SUM: $Wide = 0;
 
             #[inline(always)]

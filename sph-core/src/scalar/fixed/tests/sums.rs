@@ -98,6 +98,10 @@ fn a_checked_sum_remembers() {
     }
     assert!(!sum.total().is_finite());
     assert!(!sum.scaled_total(Checked::ZERO, Checked::ONE).is_finite());
+    for term in [Checked::NAR, -Checked::ONE] {
+        sum.add(term);
+    }
+    assert!(!sum.scaled_total(Checked::ZERO, Checked::ONE).is_finite(), "a negative term hides NaR");
     for term in
         core::iter::repeat_n(-Checked::MAX, 100_000).chain(core::iter::repeat_n(Checked::MAX, 200_000))
     {
