@@ -1,6 +1,7 @@
 //! Integer arithmetic in 128 bits, rounded once to a format.
 
 use super::format::{Format, Overflow, Rounding};
+use super::random;
 
 /// 2^n
 pub(super) fn power_of_two(n: u32) -> f64 {
@@ -42,6 +43,12 @@ pub(super) fn low_bits(format: Format, wide: i128) -> i64 {
     (wide as i64) << above >> above
 }
 
+/// A constant that is at most 1, held in the symmetric range whatever overflow does.
+pub(super) fn within(format: Format, wide: i128) -> i64 {
+    let most = i128::from(max(format));
+    wide.clamp(-most, most) as i64
+}
+
 /// A wide result, held in the symmetric range −MAX to MAX as the format's answer to overflow says.
 pub(super) fn held(format: Format, wide: i128) -> i64 {
     let most = i128::from(max(format));
@@ -63,14 +70,22 @@ pub(super) fn held_sum(format: Format, wide: i128) -> i64 {
 
 /// wide / 2^`bits`
 pub(super) fn rounded(format: Format, wide: i128, bits: u32) -> i128 {
+    rounded_as(format, wide, bits, wide < 0)
+}
+
+/// wide / 2^`bits`, the low part of a number of this sign.
+pub(super) fn rounded_as(format: Format, wide: i128, bits: u32, is_negative: bool) -> i128 {
     if bits == 0 {
         return wide;
     }
-    match format.rounding() {
-        Rounding::Nearest => (wide + (1 << (bits - 1)) - i128::from(wide < 0)) >> bits,
-        Rounding::Floor => wide >> bits,
-        Rounding::TowardZero => (wide + if wide < 0 { (1 << bits) - 1 } else { 0 }) >> bits,
-    }
+    let below = match format.rounding() {
+        Rounding::Nearest => (1 << (bits - 1)) - i128::from(is_negative),
+        Rounding::Floor => 0,
+        Rounding::TowardZero if is_negative => (1 << bits) - 1,
+        Rounding::TowardZero => 0,
+        Rounding::Stochastic { .. } => i128::from(random::next() >> (64 - bits)),
+    };
+    (wide + below) >> bits
 }
 
 /// numerator / denominator; `None` for a denominator of 0.
@@ -84,15 +99,43 @@ pub(super) fn quotient(format: Format, numerator: i128, denominator: i128) -> Op
         Rounding::Nearest => rest >= divisor - rest,
         Rounding::Floor => is_negative && rest > 0,
         Rounding::TowardZero => false,
+        Rounding::Stochastic { .. } => is_random_below(rest, divisor),
     };
     let rounded = (floor + u128::from(away)) as i128;
     Some(if is_negative { -rounded } else { rounded })
+}
+
+/// True with the probability part / whole, for a whole of 64 bits; never for a part of 0.
+fn is_random_below(part: u128, whole: u128) -> bool {
+    (u128::from(random::next()) * whole) >> 64 < part
 }
 
 /// √ of a count that is not negative.
 pub(super) fn root(format: Format, count: i64) -> i64 {
     let square = u128::from(count.unsigned_abs()) << format.fraction_bits();
     let floor = square.isqrt();
-    let is_nearer_above = format.rounding() == Rounding::Nearest && square - floor * floor > floor;
-    (floor + u128::from(is_nearer_above)) as i64
+    let rest = square - floor * floor;
+    let is_above = match format.rounding() {
+        Rounding::Nearest => rest > floor,
+        // √(f² + rest) − f is rest / (2 f + √(f² + rest) − f)
+        Rounding::Stochastic { .. } => {
+            let (floor, rest) = (floor as f64, rest as f64);
+            let first = rest / (2.0 * floor + 1.0);
+            random::unit() < rest / (2.0 * floor + first).max(1.0)
+        }
+        Rounding::Floor | Rounding::TowardZero => false,
+    };
+    (floor + u128::from(is_above)) as i64
+}
+
+/// An f64 as a whole number.
+pub(super) fn whole(format: Format, units: f64) -> f64 {
+    match format.rounding() {
+        Rounding::Nearest => units.round(),
+        Rounding::Floor => units.floor(),
+        Rounding::TowardZero => units.trunc(),
+        Rounding::Stochastic { .. } => {
+            units.floor() + f64::from(u8::from(random::unit() < units - units.floor()))
+        }
+    }
 }

@@ -6,6 +6,8 @@ use std::str::FromStr;
 
 use thiserror::Error;
 
+use super::random;
+
 /// How a result between two numbers of the format becomes one of them.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Rounding {
@@ -16,6 +18,12 @@ pub enum Rounding {
     Floor,
     /// Towards zero.
     TowardZero,
+    /// Up or down, by chance, so that the mean is the exact result. The chances begin anew with the seed where the format comes into
+    /// use, so that the same work gives the same bits.
+    Stochastic {
+        /// What the chances begin with.
+        seed: u32,
+    },
 }
 
 /// What becomes of a result that is out of range; see [`sph_core::scalar::fixed`].
@@ -71,6 +79,50 @@ pub enum FormatError {
     /// A name that is none.
     #[error("{0}: expected a format such as i16f16, with 8 to 64 bits together")]
     Name(String),
+    /// A name of no rounding.
+    #[error("{0}: expected nearest, floor, zero or stochastic")]
+    Rounding(String),
+    /// A name of no answer to overflow.
+    #[error("{0}: expected saturating, wrapping or checked")]
+    Overflow(String),
+}
+
+macro_rules! names {
+    ($Type:ident { $($pattern:pat => $value:expr, $name:literal;)+ }) => {
+        impl Display for $Type {
+            fn fmt(&self, f: &mut Formatter<'_>) -> std::fmt::Result {
+                f.pad(match self {
+                    $($pattern => $name,)+
+                })
+            }
+        }
+
+        impl FromStr for $Type {
+            type Err = FormatError;
+
+            fn from_str(name: &str) -> Result<Self, FormatError> {
+                match name {
+                    $($name => Ok($value),)+
+                    _ => Err(FormatError::$Type(name.to_owned())),
+                }
+            }
+        }
+    };
+}
+names! {
+    Rounding {
+        Self::Nearest => Self::Nearest, "nearest";
+        Self::Floor => Self::Floor, "floor";
+        Self::TowardZero => Self::TowardZero, "zero";
+        Self::Stochastic { .. } => Self::Stochastic { seed: 0 }, "stochastic";
+    }
+}
+names! {
+    Overflow {
+        Self::Saturating => Self::Saturating, "saturating";
+        Self::Wrapping => Self::Wrapping, "wrapping";
+        Self::Checked => Self::Checked, "checked";
+    }
 }
 
 thread_local! {
@@ -158,13 +210,17 @@ impl Format {
                 CURRENT.set(self.0);
             }
         }
-        let _before = Restore(CURRENT.replace(self));
+        let _before = Restore(Self::current());
+        self.enter();
         work()
     }
 
     /// Uses this format on this thread from now on: what each thread of a pool does when it starts.
     pub fn enter(self) {
         CURRENT.set(self);
+        if let Rounding::Stochastic { seed } = self.rounding {
+            random::seed(seed.into());
+        }
     }
 }
 

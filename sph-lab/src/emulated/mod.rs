@@ -7,6 +7,7 @@ mod compact;
 mod exact;
 mod format;
 mod operators;
+mod random;
 mod sum;
 
 pub use format::{Format, FormatError, Overflow, Rounding};
@@ -69,7 +70,7 @@ impl Emulated {
     fn count(self, format: Format) -> i64 {
         match self.0 {
             Number::Count(count) => count,
-            Number::One => held(format, 1 << format.fraction_bits()),
+            Number::One => exact::within(format, 1 << format.fraction_bits()),
             Number::Epsilon => 1,
             // a saturated result is never the largest finite one
             Number::Max => exact::max(format) - i64::from(format.overflow() == Overflow::Saturating),
@@ -135,12 +136,7 @@ impl Scalar for Emulated {
             let low_bits = if units.abs() < exact::power_of_two(127) { units as i128 as i64 } else { 0 };
             return Self::of(exact::beyond(format, units < 0.0, low_bits));
         }
-        let whole = match format.rounding() {
-            Rounding::Nearest => units.round(),
-            Rounding::Floor => units.floor(),
-            Rounding::TowardZero => units.trunc(),
-        };
-        Self::narrow(format, whole as i128)
+        Self::narrow(format, exact::whole(format, units) as i128)
     }
 
     fn to_f64(self) -> f64 {
@@ -189,15 +185,17 @@ impl Scalar for Emulated {
     fn split(self, bits: u32) -> (usize, Self) {
         let format = Format::current();
         let count = self.count(format);
-        let below = format.fraction_bits().saturating_sub(bits);
+        let fraction = format.fraction_bits();
+        let (below, above) = (fraction.saturating_sub(bits), bits.saturating_sub(fraction));
         let rest = i128::from(count) & ((1 << below) - 1);
-        ((i128::from(count) >> below) as usize, Self::of(exact::low_bits(format, rest << bits.min(63))))
+        let place = (i128::from(count) >> below) as usize;
+        (place.wrapping_shl(above), Self::of(exact::low_bits(format, rest << bits.min(63))))
     }
 
     fn constant<C: Table<ROWS, N>, const ROWS: usize, const N: usize>(row: usize, i: usize) -> Option<Self> {
         let format = Format::current();
         let value = C::VALUES.get(row)?.get(i)?;
         let units = (value * exact::power_of_two(format.fraction_bits())).round();
-        Some(Self::of(exact::low_bits(format, units as i128)))
+        Some(Self::of(exact::within(format, units as i128)))
     }
 }

@@ -3,6 +3,7 @@
 use proptest::prelude::*;
 use sph_core::kernel::{CubicSpline, Kernel, Poly6, WendlandC2};
 use sph_core::scalar::compact::Compact;
+use sph_core::scalar::fixed::types::{I1F7, I1F15, I1F31, I2F62, I3F13, I4F4, I8F0, I16F0, I32F0, I64F0};
 use sph_core::scalar::fixed::*;
 use sph_core::{Accumulator, Scalar};
 use sph_lab::{Emulated, Format};
@@ -66,8 +67,8 @@ fn compare<S: Compact, W: Compact, C: Compact>(
 }
 
 macro_rules! formats {
-    ([$($Format:ident $name:tt $about:tt;)+]) => {
-        fn compare_all(raw: [u64; 2], n: i32, x: f64) {
+    ([$($Format:ident $name:tt $about:tt;)+] $compare_all:ident $compare_fields:ident) => {
+        fn $compare_all(raw: [u64; 2], n: i32, x: f64) {
             $(
                 compare(
                     |raw| (
@@ -82,7 +83,7 @@ macro_rules! formats {
             )+
         }
 
-        fn compare_fields<K: Kernel>(points: usize) -> usize {
+        fn $compare_fields<K: Kernel>(points: usize) -> usize {
             let mut count = 0;
             $(
                 count += fields::compare::<Saturating<$Format>, K, 2>(points);
@@ -93,7 +94,12 @@ macro_rules! formats {
         }
     };
 }
-sph_core::for_each_format!(formats);
+sph_core::for_each_format!(formats; compare_all compare_fields);
+formats! {
+    // the ends of each word's splits, which no list shows
+    [I1F7 "" ""; I4F4 "" ""; I8F0 "" ""; I1F15 "" ""; I3F13 "" ""; I16F0 "" ""; I1F31 "" ""; I32F0 "" ""; I2F62 "" ""; I64F0 "" "";]
+    compare_ends compare_fields_at_ends
+}
 
 /// Bits with ends, small numbers and everything between.
 fn bits() -> impl Strategy<Value = u64> {
@@ -124,6 +130,7 @@ proptest! {
         x in prop_oneof![any::<f64>(), -1e5..1e5_f64, Just(f64::NAN), Just(f64::INFINITY)],
     ) {
         compare_all([a, b], n, x);
+        compare_ends([a, b], n, x);
     }
 }
 
@@ -132,6 +139,8 @@ fn fields_have_the_bits_of_the_compiled_type() {
     let count =
         compare_fields::<Poly6>(40) + compare_fields::<WendlandC2>(40) + compare_fields::<CubicSpline>(40);
     assert!(count > 20_000, "{count}");
+    let at_ends = compare_fields_at_ends::<WendlandC2>(40);
+    assert!(at_ends > 800, "{at_ends}");
 }
 
 #[test]
