@@ -3,6 +3,7 @@
 //! | type | question | answer |
 //! |---|---|---|
 //! | [`Emulated`] | what do so many bits give, rounded and overflowing this way? | the bits that the compiled type gives |
+//! | [`Mini`] | and f16, bf16 or a posit of 16 bits? | their bits |
 //!
 //! Each is a [`Scalar`](sph_core::Scalar) of sph-core, so everything that is generic over the scalar runs on it unchanged, a
 //! fluid as well as a field:
@@ -30,5 +31,7 @@
 
 mod assign;
 mod emulated;
+mod mini;
 
 pub use emulated::{Emulated, EmulatedSum, Format, FormatError, Overflow, Rounding};
+pub use mini::{Mini, MiniFormat, MiniFormatError, MiniSum};
