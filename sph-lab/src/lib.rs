@@ -4,6 +4,9 @@
 //! |---|---|---|
 //! | [`Emulated`] | what do so many bits give, rounded and overflowing this way? | the bits that the compiled type gives |
 //! | [`Mini`] | and f16, bf16 or a posit of 16 bits? | their bits |
+//! | [`Tally`] | how large does it get, and where does it leave its range? | magnitudes and saturations, place by place |
+//! | [`Shadow`] | where does the error come from, and what does it decide? | errors and comparisons, place by place |
+//! | [`Blame`] | what if only this place were rounded, or all but this one? | an error for each place |
 //!
 //! Each is a [`Scalar`](sph_core::Scalar) of sph-core, so everything that is generic over the scalar runs on it unchanged, a
 //! fluid as well as a field:
@@ -32,6 +35,11 @@
 mod assign;
 mod emulated;
 mod mini;
+mod places;
 
 pub use emulated::{Emulated, EmulatedSum, Format, FormatError, Overflow, Rounding};
 pub use mini::{Mini, MiniFormat, MiniFormatError, MiniSum};
+pub use places::{
+    Blame, BlameSum, Blamed, Errors, Log, Operation, Place, Record, Saturations, Shadow, ShadowSum, Tally,
+    TallyNear, TallyPack, TallySum, blame, watch,
+};
