@@ -5,7 +5,7 @@ use std::time::Instant;
 use sph_core::kernel::WendlandC2;
 use sph_core::scalar::fixed::{I16F16, Saturating};
 use sph_core::{CellGrid, CellLayout, Field, KernelInfluence, Scalar, Sources, Uniform};
-use sph_lab::{Blame, Emulated, Format, Mini, MiniFormat, Shadow, Tally, watch};
+use sph_lab::{Blame, Dual, Emulated, Format, Interval, Mini, MiniFormat, Running, Shadow, Tally, watch};
 
 /// Particles along an axis of a jittered lattice of spacing 1, in units of h.
 const SIDE: usize = 101;
@@ -60,6 +60,9 @@ const ENTRIES: &[Entry] = &[
     ("Tally<Emulated>", || in_format(7, 17, || watch(seconds::<Tally<Emulated>>).0)),
     ("Shadow<I16F16>", || watch(seconds::<Shadow<Saturating<I16F16>>>).0),
     ("Blame", seconds::<Blame>),
+    ("Interval", seconds::<Interval>),
+    ("Running i9f17", || in_format(9, 17, seconds::<Running>)),
+    ("Dual<f64, 2>", seconds::<Dual<f64, 2>>),
 ];
 
 /// Runs the types whose names contain the first argument, all without one.

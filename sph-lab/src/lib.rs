@@ -7,6 +7,9 @@
 //! | [`Tally`] | how large does it get, and where does it leave its range? | magnitudes and saturations, place by place |
 //! | [`Shadow`] | where does the error come from, and what does it decide? | errors and comparisons, place by place |
 //! | [`Blame`] | what if only this place were rounded, or all but this one? | an error for each place |
+//! | [`Interval`] | where is the result for certain, whatever the inputs in theirs are? | two numbers that it lies between |
+//! | [`Running`] | how far from exact is this fixed-point result at most? | a bound that holds for certain |
+//! | [`Dual`] | how does the result answer to its inputs? | exact derivatives |
 //!
 //! Each is a [`Scalar`](sph_core::Scalar) of sph-core, so everything that is generic over the scalar runs on it unchanged, a
 //! fluid as well as a field:
@@ -33,13 +36,19 @@
 //! ```
 
 mod assign;
+mod dual;
 mod emulated;
+mod interval;
 mod mini;
 mod places;
+mod running;
 
+pub use dual::{Dual, DualSum};
 pub use emulated::{Emulated, EmulatedSum, Format, FormatError, Overflow, Rounding};
+pub use interval::Interval;
 pub use mini::{Mini, MiniFormat, MiniFormatError, MiniSum};
 pub use places::{
     Blame, BlameSum, Blamed, Errors, Log, Operation, Place, Record, Saturations, Shadow, ShadowSum, Tally,
     TallyNear, TallyPack, TallySum, blame, watch,
 };
+pub use running::{Running, RunningSum};
