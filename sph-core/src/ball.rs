@@ -54,6 +54,7 @@ pub fn volume_real(dimensions: f64, radius: f64) -> f64 {
 
 /// x^D by D − 1 multiplications from the left.
 #[inline(always)]
+#[track_caller]
 pub(crate) fn power<T: Scalar, const D: usize>(x: T) -> T {
     let mut power = T::ONE;
     for _ in 0..D {
@@ -64,6 +65,7 @@ pub(crate) fn power<T: Scalar, const D: usize>(x: T) -> T {
 
 /// c x for a positive constant c that may be beyond the scalar's range where c x is not: 20 x in a type that ends at 8.
 #[inline(always)]
+#[track_caller]
 pub(crate) fn constant_times<T: Scalar>(constant: f64, x: T) -> T {
     const PARTS: i32 = 64;
     if constant < T::MAX.to_f64() {

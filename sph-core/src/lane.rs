@@ -35,16 +35,19 @@ impl<T: Scalar> Lane<T> for T {
     }
 
     #[inline(always)]
+    #[track_caller]
     fn add_to(self, sum: &mut T::Sum) {
         sum.add(self);
     }
 
     #[inline(always)]
+    #[track_caller]
     fn join(sum: &mut T::Sum, other: T::Sum) {
         sum.add(other.total());
     }
 
     #[inline(always)]
+    #[track_caller]
     fn total(sum: T::Sum) -> T {
         sum.total()
     }
@@ -57,6 +60,7 @@ impl<T: Scalar> Lane<T> for T {
 
 /// x − y. As in `crate::vector`, but in a loop, like what follows: compilers keep what closures make of several numbers in memory.
 #[inline(always)]
+#[track_caller]
 pub(crate) fn sub<A: Arithmetic, const D: usize>(x: &[A; D], y: &[A; D]) -> [A; D] {
     let mut difference = *x;
     for axis in 0..D {
@@ -67,6 +71,7 @@ pub(crate) fn sub<A: Arithmetic, const D: usize>(x: &[A; D], y: &[A; D]) -> [A; 
 
 /// x + y
 #[inline(always)]
+#[track_caller]
 pub(crate) fn add<A: Arithmetic, const D: usize>(x: &[A; D], y: &[A; D]) -> [A; D] {
     let mut sum = *x;
     for axis in 0..D {
@@ -77,6 +82,7 @@ pub(crate) fn add<A: Arithmetic, const D: usize>(x: &[A; D], y: &[A; D]) -> [A; 
 
 /// s x
 #[inline(always)]
+#[track_caller]
 pub(crate) fn scale<A: Arithmetic, const D: usize>(x: &[A; D], s: A) -> [A; D] {
     let mut scaled = *x;
     for axis in 0..D {

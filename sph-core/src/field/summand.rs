@@ -28,16 +28,19 @@ impl<T: Scalar, A: Lane<T>> Summand<T, A> for A {
     const EMPTY: A::Sum = <A as Lane<T>>::EMPTY;
 
     #[inline(always)]
+    #[track_caller]
     fn add_weighted(self, sum: &mut A::Sum, weight: A) {
         (self * weight).add_to(sum);
     }
 
     #[inline(always)]
+    #[track_caller]
     fn join(sum: &mut A::Sum, other: &A::Sum) {
         <A as Lane<T>>::join(sum, *other);
     }
 
     #[inline(always)]
+    #[track_caller]
     fn total(sum: A::Sum) -> T {
         <A as Lane<T>>::total(sum)
     }
@@ -49,6 +52,7 @@ impl<T: Scalar, A: Lane<T>, S: Summand<T, A>, const N: usize> Summand<T, A> for 
     const EMPTY: Self::Sum = [S::EMPTY; N];
 
     #[inline(always)]
+    #[track_caller]
     fn add_weighted(self, sums: &mut Self::Sum, weight: A) {
         for (component, sum) in self.iter().zip(sums) {
             component.add_weighted(sum, weight);
@@ -56,6 +60,7 @@ impl<T: Scalar, A: Lane<T>, S: Summand<T, A>, const N: usize> Summand<T, A> for 
     }
 
     #[inline(always)]
+    #[track_caller]
     fn join(sums: &mut Self::Sum, other: &Self::Sum) {
         for (sum, other) in sums.iter_mut().zip(other) {
             S::join(sum, other);
@@ -63,6 +68,7 @@ impl<T: Scalar, A: Lane<T>, S: Summand<T, A>, const N: usize> Summand<T, A> for 
     }
 
     #[inline(always)]
+    #[track_caller]
     fn total(sums: Self::Sum) -> Self::Total {
         // `map` is smaller on microcontrollers; several numbers side by side need a loop, which keeps the instructions of their registers
         if const { size_of::<A>() == size_of::<T>() } {
@@ -82,18 +88,21 @@ impl<T: Scalar, A: Lane<T>, S: Summand<T, A>, R: Summand<T, A>> Summand<T, A> fo
     const EMPTY: Self::Sum = (S::EMPTY, R::EMPTY);
 
     #[inline(always)]
+    #[track_caller]
     fn add_weighted(self, sums: &mut Self::Sum, weight: A) {
         self.0.add_weighted(&mut sums.0, weight);
         self.1.add_weighted(&mut sums.1, weight);
     }
 
     #[inline(always)]
+    #[track_caller]
     fn join(sums: &mut Self::Sum, other: &Self::Sum) {
         S::join(&mut sums.0, &other.0);
         R::join(&mut sums.1, &other.1);
     }
 
     #[inline(always)]
+    #[track_caller]
     fn total(sums: Self::Sum) -> Self::Total {
         (S::total(sums.0), R::total(sums.1))
     }
@@ -105,11 +114,14 @@ impl<T: Scalar, A: Lane<T>> Summand<T, A> for () {
     const EMPTY: () = ();
 
     #[inline(always)]
+    #[track_caller]
     fn add_weighted(self, (): &mut (), _: A) {}
 
     #[inline(always)]
+    #[track_caller]
     fn join((): &mut (), (): &()) {}
 
     #[inline(always)]
+    #[track_caller]
     fn total((): ()) {}
 }

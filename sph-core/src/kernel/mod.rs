@@ -191,6 +191,7 @@ pub trait Kernel: Copy + core::fmt::Debug + Send + Sync + 'static {
 
 /// q = √s, held at 1, beyond which every kernel is zero: squares may overflow there.
 #[inline(always)]
+#[track_caller]
 fn root<T: Scalar>(s: T) -> T {
     s.min(T::ONE).sqrt()
 }

@@ -148,6 +148,7 @@ pub trait Arithmetic:
     /// assert_eq!(7.0_f64.pow::<0>(), 1.0);
     /// ```
     #[inline(always)]
+    #[track_caller]
     fn pow<const N: u32>(self) -> Self {
         const { assert!(N < 64) };
         if N == 0 {
@@ -257,6 +258,7 @@ pub trait Scalar: Arithmetic + PartialOrd + Default + Debug + Send + Sync + 'sta
     /// ⌊2^`bits` x⌋ and what is left, 2^`bits` x − ⌊2^`bits` x⌋, for 0 ≤ x: a place in a table, and where behind it. `bits`
     /// is at most 12; another one, and x < 0, give a place that is meaningless.
     #[inline(always)]
+    #[track_caller]
     fn split(self, bits: u32) -> (usize, Self) {
         let scaled = self.times(1_i32.wrapping_shl(bits));
         let whole = scaled.floor_to_i32();
@@ -314,6 +316,7 @@ pub trait Accumulator<T>: Copy + Send {
     /// The form given here serves types whose products and sums tell when they leave the range, and returns what is not
     /// finite as it is. A sum that is wider than T multiplies before it is narrowed.
     #[inline(always)]
+    #[track_caller]
     fn scaled_total(self, a: T, b: T) -> T
     where
         T: Scalar,
