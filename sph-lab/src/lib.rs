@@ -10,6 +10,7 @@
 //! | [`Interval`] | where is the result for certain, whatever the inputs in theirs are? | two numbers that it lies between |
 //! | [`Running`] | how far from exact is this fixed-point result at most? | a bound that holds for certain |
 //! | [`Dual`] | how does the result answer to its inputs? | exact derivatives |
+//! | [`Chosen`] | any of them, chosen when the program runs | one type to compile for |
 //!
 //! Each is a [`Scalar`](sph_core::Scalar) of sph-core, so everything that is generic over the scalar runs on it unchanged, a
 //! fluid as well as a field:
@@ -36,6 +37,7 @@
 //! ```
 
 mod assign;
+mod chosen;
 mod dual;
 mod emulated;
 mod interval;
@@ -43,6 +45,7 @@ mod mini;
 mod places;
 mod running;
 
+pub use chosen::{Choice, Chosen, ChosenSum};
 pub use dual::{Dual, DualSum};
 pub use emulated::{Emulated, EmulatedSum, Format, FormatError, Overflow, Rounding};
 pub use interval::Interval;

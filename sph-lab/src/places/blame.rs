@@ -86,7 +86,8 @@ impl Blame {
         Self(value)
     }
 
-    #[inline]
+    // a call, so that code that is watched stays small
+    #[inline(never)]
     #[track_caller]
     fn made<const N: usize>(
         operation: Operation,

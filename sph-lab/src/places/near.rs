@@ -21,7 +21,8 @@ impl<N: NearUnit> TallyNear<N> {
         self.0
     }
 
-    #[inline]
+    // a call, so that code that is watched stays small
+    #[inline(never)]
     #[track_caller]
     pub(super) fn made(operation: Operation, value: N) -> Self {
         let location = Location::caller();

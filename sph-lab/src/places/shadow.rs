@@ -67,7 +67,8 @@ impl<T: Scalar> Shadow<T> {
         Self { value, truth: exact(self.truth) }
     }
 
-    #[inline]
+    // a call, so that code that is watched stays small
+    #[inline(never)]
     #[track_caller]
     fn made<const N: usize>(
         operation: Operation,

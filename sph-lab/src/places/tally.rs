@@ -87,7 +87,8 @@ impl<T: Scalar> Tally<T> {
     }
 
     /// The result of an operation on some operands, told.
-    #[inline]
+    // a call, so that code that is watched stays small
+    #[inline(never)]
     #[track_caller]
     fn made<const N: usize>(
         operation: Operation,
