@@ -115,6 +115,7 @@ fn draw(dim: u32, target: &Target) -> Result<(), Failure> {
         series: KernelName::ALL.iter().map(|&kernel| series(kernel, f)).collect(),
         x_range: Some([0.0, 1.0]),
         y_range: Some(y_range),
+        ..Plot::default()
     };
     let profile = plot("profile", "f(q)", [0.0, 1.05], &|kernel, q| kernel.profile(dim, q));
     let slope = plot("slope", "f′(q)", [-4.0, 0.1], &|kernel, q| kernel.slope(dim, q));

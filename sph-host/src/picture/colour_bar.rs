@@ -1,6 +1,6 @@
 //! The key to colours: a bar with ticks, triangles where values go beyond it, a sample of grey where some are missing.
 
-use super::axes::{SMALL, widest, y_ticks};
+use super::axes::{Range, SMALL, widest, y_ticks};
 use super::canvas::{Anchor, Area, Canvas, INK, NO_VALUE, Pen};
 use super::colour::Scale;
 
@@ -16,7 +16,7 @@ const TRIANGLE: f32 = 16.0;
 
 /// Pixels that the bar may need right of a panel of at most some height.
 pub(super) fn right_of(scale: &Scale, height: f32) -> f32 {
-    FAR_APART + WIDTH + 12.0 + widest(&y_ticks(scale.range, bar_height(height)))
+    FAR_APART + WIDTH + 12.0 + widest(&y_ticks(Range::Linear(scale.range), bar_height(height)))
 }
 
 /// Pixels between a panel of some height and its bar.
@@ -59,7 +59,7 @@ pub(super) fn draw(canvas: &mut Canvas, scale: &Scale, panel: Area) {
         }
     }
     canvas.frame_area(bar, pen);
-    for tick in y_ticks(scale.range, full) {
+    for tick in y_ticks(Range::Linear(scale.range), full) {
         let y = (bar.bottom() - scale.part(tick.value) as f32 * bar.height).round() + 0.5;
         canvas.line(&[(right, y), (right + 5.0, y)], pen);
         canvas.text(&tick.label, (right + 10.0, y), SMALL, Anchor::Start);

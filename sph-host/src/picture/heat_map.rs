@@ -4,7 +4,7 @@
 //! Cells without a value are grey. A colour bar ends at the least and the greatest value, or, where a few outliers would
 //! stretch that by half, at the quantiles 0.5 % and 99.5 %, and then has triangles at its ends.
 
-use super::axes::{self, Axes, LARGE, MEDIUM};
+use super::axes::{self, Axes, LARGE, MEDIUM, Range};
 use super::canvas::{Area, Canvas};
 use super::colour::{Palette, Scale};
 use super::text::fitted;
@@ -117,7 +117,7 @@ impl MapLayout {
         let Plane { lower, upper, .. } = &map.plane;
         let columns = map.rows.iter().map(Vec::len).max().unwrap_or(1) as f32;
         let across = if columns > 1.0 { SIDE_BY_SIDE } else { ALONE };
-        let left = MARGIN + axes::left_of([lower[1], upper[1]], HIGHEST);
+        let left = MARGIN + axes::left_of(Range::Linear([lower[1], upper[1]]), HIGHEST);
         let bars = scales.iter().flatten().map(|scale| colour_bar::right_of(scale, HIGHEST));
         let right = MARGIN + bars.fold(0.0, f32::max);
         let free = (across - left - right).max(100.0);
@@ -149,7 +149,7 @@ fn draw_panel(canvas: &mut Canvas, map: &HeatMap, panel: &Panel, scale: &Scale, 
         arrows::draw(canvas, vectors, *counts, area, scale.range[1]);
         canvas.unclip();
     }
-    let frame = Axes { area, x: [lower[0], upper[0]], y: [lower[1], upper[1]] };
+    let frame = Axes { area, x: Range::Linear([lower[0], upper[0]]), y: Range::Linear([lower[1], upper[1]]) };
     frame.draw(canvas, &axes[0], &axes[1]);
     colour_bar::draw(canvas, scale, area);
     let bar = colour_bar::bar_height(area.height);

@@ -1,7 +1,8 @@
 //! Pictures: heat maps, line plots, particles; drawn in memory, the same bytes everywhere.
 //!
 //! * [`heat_map`]: fields on a plane grid, with colour bars, axes and arrows;
-//! * [`plot`]: lines and points over two axes, with a legend;
+//! * [`plot`]: lines and points over two axes, linear or logarithmic, with a legend;
+//! * [`spectrum`]: histograms over powers of two, one below the other;
 //! * [`particles`]: particles coloured by a value, e.g. the frames of an animation;
 //! * [`animation`]: an animated GIF of such frames.
 //!
@@ -16,6 +17,7 @@ mod colour_bar;
 pub mod heat_map;
 pub mod particles;
 pub mod plot;
+pub mod spectrum;
 mod text;
 mod ticks;
 

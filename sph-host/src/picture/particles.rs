@@ -1,6 +1,6 @@
 //! Particles as discs coloured by a value, at equal aspect ratio: the frames of an animation.
 
-use super::axes::{self, Axes, LARGE, MEDIUM};
+use super::axes::{self, Axes, LARGE, MEDIUM, Range};
 use super::canvas::{Anchor, Area, Canvas};
 use super::colour::{Palette, Scale};
 use super::text::fitted;
@@ -63,7 +63,7 @@ pub fn draw(frame: &Frame) -> Result<Image, PictureError> {
     scale.beyond = [true; 2];
     let (area, height) = layout(frame, &scale);
     let mut canvas = Canvas::new(frame.width.max(300), height)?;
-    let axes = Axes { area, x, y };
+    let axes = Axes { area, x: Range::Linear(x), y: Range::Linear(y) };
     canvas.clip_to(area);
     let radius = (frame.radius / (x[1] - x[0]) * f64::from(area.width)).clamp(0.6, 1e3) as f32;
     for (&position, &value) in frame.positions.iter().zip(frame.values) {
@@ -91,7 +91,7 @@ fn canvas_right(frame: &Frame) -> f32 {
 fn layout(frame: &Frame, scale: &Scale) -> (Area, u32) {
     let across = frame.width.max(300) as f32;
     let highest = TALLEST * across;
-    let left = MARGIN + axes::left_of([frame.lower[1], frame.upper[1]], highest);
+    let left = MARGIN + axes::left_of(Range::Linear([frame.lower[1], frame.upper[1]]), highest);
     let right = MARGIN + colour_bar::right_of(scale, highest);
     let free = (across - left - right).max(50.0);
     let aspect = ((frame.upper[1] - frame.lower[1]) / (frame.upper[0] - frame.lower[0])) as f32;

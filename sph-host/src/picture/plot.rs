@@ -1,6 +1,6 @@
 //! Line plots: series of points over two axes, as lines or as marks, with one legend for all plots of a picture.
 
-use super::axes::{self, Axes, LARGE, MEDIUM, SMALL};
+use super::axes::{self, Axes, LARGE, MEDIUM, Range, SMALL};
 use super::canvas::{Anchor, Area, Canvas, INK, Pen, Rgb};
 use super::text::{fitted, width};
 use super::{Image, PictureError, check_range};
@@ -40,6 +40,8 @@ pub struct Plot {
     pub x_range: Option<[f64; 2]>,
     /// The range of the y axis; without it, that of the points and a little more. What is beyond is cut off.
     pub y_range: Option<[f64; 2]>,
+    /// Which axes are logarithmic: x, then y. A point that is not above 0 along one of them is not shown.
+    pub logarithmic: [bool; 2],
 }
 
 const MARGIN: f32 = 16.0;
@@ -91,10 +93,14 @@ pub fn draw(title: &str, rows: &[Vec<Plot>]) -> Result<Image, PictureError> {
 
 /// Draws one plot; `room` has the plot's area and, left of it, its axis.
 fn draw_plot(canvas: &mut Canvas, plot: &Plot, legend: &Legend, room: Area) -> Result<(), PictureError> {
-    let x = plot.x_range.unwrap_or_else(|| range_of(plot, 0, 0.0));
-    let y = plot.y_range.unwrap_or_else(|| range_of(plot, 1, 0.04));
-    check_range(&plot.x_title, x)?;
-    check_range(&plot.y_title, y)?;
+    let plot = &on_scales(plot);
+    let range = |axis: usize, given: Option<[f64; 2]>, title: &str, more: f64| {
+        let ends = given.unwrap_or_else(|| range_of(plot, axis, more));
+        check_range(title, ends)?;
+        Ok(if plot.logarithmic[axis] { Range::Logarithmic(ends) } else { Range::Linear(ends) })
+    };
+    let x = range(0, plot.x_range, &plot.x_title, 0.0)?;
+    let y = range(1, plot.y_range, &plot.y_title, 0.04)?;
     let axis = axes::left_of(y, room.height).ceil();
     let area = Area { left: room.left + axis, width: room.width - axis - MARGIN, ..room };
     let frame = Axes { area, x, y };
@@ -108,6 +114,19 @@ fn draw_plot(canvas: &mut Canvas, plot: &Plot, legend: &Legend, room: Area) -> R
     let (title, size) = fitted(&plot.title, MEDIUM, room.width);
     canvas.text(&title, (area.middle().0, area.top - MEDIUM), size, Anchor::Middle);
     Ok(())
+}
+
+/// The plot with logarithms in place of the numbers along its logarithmic axes.
+fn on_scales(plot: &Plot) -> Plot {
+    let mut plot = plot.clone();
+    let is_logarithmic = plot.logarithmic;
+    let scaled = |axis: usize, value: f64| if is_logarithmic[axis] { value.log10() } else { value };
+    for point in plot.series.iter_mut().flat_map(|series| &mut series.points) {
+        *point = [scaled(0, point[0]), scaled(1, point[1])];
+    }
+    plot.x_range = plot.x_range.map(|range| range.map(|end| scaled(0, end)));
+    plot.y_range = plot.y_range.map(|range| range.map(|end| scaled(1, end)));
+    plot
 }
 
 fn draw_series(canvas: &mut Canvas, frame: &Axes, series: &Series, pen: Pen) {

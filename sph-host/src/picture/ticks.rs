@@ -25,6 +25,37 @@ pub(super) fn ticks([lower, upper]: [f64; 2], most: usize) -> Vec<Tick> {
     values.map(|value| Tick { value, label: label(value, step, lower.abs().max(upper.abs())) }).collect()
 }
 
+/// At most `most` ticks at powers of ten within a range of logarithms; those of [`ticks`] where the range has not two powers.
+pub(super) fn decades([lower, upper]: [f64; 2], most: usize) -> Vec<Tick> {
+    let (first, last) = ((lower - 1e-9).ceil() as i32, (upper + 1e-9).floor() as i32);
+    let step = (last - first) / most.max(2) as i32 + 1;
+    let first = first.div_euclid(step) * step + if first.rem_euclid(step) == 0 { 0 } else { step };
+    let powers: Vec<i32> = (first..=last).step_by(step as usize).collect();
+    if powers.len() < 2 {
+        let label = |tick: Tick| Tick {
+            label: format!("{:.1e}", 10_f64.powf(tick.value)).replace('-', "−"),
+            ..tick
+        };
+        return ticks([lower, upper], most.min(4)).into_iter().map(label).collect();
+    }
+    powers
+        .into_iter()
+        .map(|power| Tick { value: power.into(), label: format!("10{}", raised(power)) })
+        .collect()
+}
+
+/// A whole number in raised digits.
+pub(super) fn raised(number: i32) -> String {
+    let digit = |letter: char| match letter {
+        '-' => '⁻',
+        '1' => '¹',
+        '2' => '²',
+        '3' => '³',
+        digit => char::from_u32('⁰' as u32 + digit as u32 - '0' as u32).unwrap_or(digit),
+    };
+    number.to_string().chars().map(digit).collect()
+}
+
 /// The value with as many places as tell it from the next tick, in exponent form where the axis is very large or small.
 fn label(value: f64, step: f64, largest: f64) -> String {
     let value = if value.abs() < step * 1e-6 { 0.0 } else { value };
@@ -55,6 +86,18 @@ mod tests {
         assert_eq!(labels([-1.0, 1.0], 5), ["−1.0", "−0.5", "0.0", "0.5", "1.0"]);
         assert_eq!(labels([0.3, 97.0], 6), ["20", "40", "60", "80"]);
         assert_eq!(labels([1000.001, 1000.003], 3), ["1000.001", "1000.002", "1000.003"]);
+    }
+
+    #[test]
+    fn logarithms_have_ticks_at_powers_of_ten() {
+        let labels =
+            |range, most| decades(range, most).into_iter().map(|tick| tick.label).collect::<Vec<_>>();
+        assert_eq!(labels([-3.2, 0.1], 9), ["10⁻³", "10⁻²", "10⁻¹", "10⁰"]);
+        assert_eq!(labels([-30.0, 12.0], 5), ["10⁻²⁷", "10⁻¹⁸", "10⁻⁹", "10⁰", "10⁹"]);
+        assert!(labels([-2.1, -1.4], 9).len() > 1);
+        for most in 2..9 {
+            assert!((2..=most).contains(&decades([-17.3, 11.9], most).len()), "{most}");
+        }
     }
 
     #[test]

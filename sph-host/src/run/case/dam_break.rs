@@ -164,6 +164,7 @@ impl<const D: usize> Case<D> for DamBreak {
             series: curves,
             x_range: Some([0.0, 4.0]),
             y_range: Some([1.0, 4.2]),
+            ..Plot::default()
         };
         vec![vec![plot]]
     }
