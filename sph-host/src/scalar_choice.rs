@@ -1,9 +1,10 @@
-//! The scalars by name. A fixed-point format is emulated, with the bits of its compiled type, so that every format can be had.
+//! The scalars by name. A fixed-point format is emulated, with the bits of its compiled type, so that every format can be had; so are
+//! floating-point formats of 16 bits.
 
 use std::fmt::{Display, Formatter};
 
 use sph_core::{Scalar, for_each_float, for_each_format};
-use sph_lab::{Emulated, Format, Overflow};
+use sph_lab::{Choice, Chosen, Emulated, Format, Mini, MiniFormat, Overflow};
 
 /// What follows from the list of the scalars that are no fixed-point formats.
 macro_rules! choices {
@@ -14,10 +15,12 @@ macro_rules! choices {
             $(#[doc = $about] $Name,)+
             /// Fixed point, saturating.
             Fixed(Format),
+            /// Floating point of 16 bits.
+            Mini(MiniFormat),
         }
 
         impl ScalarName {
-            /// All but the fixed-point formats, the default first.
+            /// Those that are compiled for the host, the default first.
             pub const FLOATS: &'static [Self] = &[$(Self::$Name),+];
 
             /// The name, such as `f64` or `i16f16`.
@@ -26,6 +29,7 @@ macro_rules! choices {
                 match self {
                     $(Self::$Name => <$Scalar as Scalar>::NAME.to_owned(),)+
                     Self::Fixed(format) => format.to_string(),
+                    Self::Mini(format) => format.to_string(),
                 }
             }
 
@@ -35,6 +39,7 @@ macro_rules! choices {
                 match self {
                     $(Self::$Name => $about,)+
                     Self::Fixed(_) => "fixed point, saturating",
+                    Self::Mini(_) => "floating point of 16 bits",
                 }
             }
         }
@@ -42,7 +47,7 @@ macro_rules! choices {
 }
 for_each_float!(choices);
 
-/// The names of the formats that sph-core has compiled types for.
+/// The names of the formats that sph-core shows by name.
 macro_rules! compiled {
     ([$($Format:ident $name:tt $about:tt;)+]) => {
         /// Formats that firmware can use as they are.
@@ -56,13 +61,19 @@ impl ScalarName {
     #[must_use]
     pub fn of_name(name: &str) -> Option<Self> {
         let float = Self::FLOATS.iter().copied().find(|known| known.name() == name);
-        float.or_else(|| {
+        let mini = || name.parse().ok().map(Self::Mini);
+        float.or_else(mini).or_else(|| {
             let format: Format = name.parse().ok()?;
             (format.overflow() == Overflow::Saturating).then_some(Self::Fixed(format))
         })
     }
 
-    /// The floats, and the formats that sph-core has compiled types for.
+    /// Those of 16 bits with a floating point.
+    pub fn minis() -> impl Iterator<Item = Self> {
+        MiniFormat::ALL.into_iter().map(Self::Mini)
+    }
+
+    /// Those that are compiled for the host, and the formats that sph-core shows by name.
     pub fn compiled() -> impl Iterator<Item = Self> {
         let formats = COMPILED.iter().filter_map(|name| Self::of_name(name));
         Self::FLOATS.iter().copied().chain(formats)
@@ -70,8 +81,17 @@ impl ScalarName {
 
     /// Prepares a thread to calculate in this scalar: what each thread of a pool does when it starts.
     pub(crate) fn enter(self) {
-        if let Self::Fixed(format) = self {
-            format.enter();
+        if let Some(choice) = self.choice() {
+            choice.enter();
+        }
+    }
+
+    /// What [`Chosen`] has to be to stand for it; none for a scalar that is compiled for the host.
+    pub(crate) fn choice(self) -> Option<Choice> {
+        match self {
+            Self::Fixed(format) => Some(Choice::Emulated(format)),
+            Self::Mini(format) => Some(Choice::Mini(format)),
+            _ => None,
         }
     }
 }
@@ -84,13 +104,17 @@ impl Display for ScalarName {
 
 /// The name of the type T on this thread.
 pub(crate) fn name_of<T: Scalar>() -> String {
-    match T::NAME {
-        Emulated::NAME => Format::current().to_string(),
-        name => name.to_owned(),
+    match (T::NAME, Choice::current()) {
+        (Chosen::NAME, Choice::Emulated(format)) => format.to_string(),
+        (Chosen::NAME, Choice::Mini(format)) => format.to_string(),
+        (Emulated::NAME, _) => Format::current().to_string(),
+        (Mini::NAME, _) => MiniFormat::current().to_string(),
+        (name, _) => name.to_owned(),
     }
 }
 
-/// Evaluates an expression with `T` standing for the type of a [`ScalarName`]. Work of other threads in it needs
+/// Evaluates an expression with `T` standing for the type of a [`ScalarName`]: [`Chosen`] for all that are not compiled for the host,
+/// so that what is generic over the scalar is compiled for one type more, not for each. Work of other threads in it needs
 /// [`ScalarName::enter`] on each.
 macro_rules! with_scalar {
     ([$($Name:ident: $Scalar:ty, $about:tt;)+] $name:expr, $T:ident => $body:expr) => {
@@ -100,8 +124,16 @@ macro_rules! with_scalar {
                 $body
             })+
             $crate::scalar_choice::ScalarName::Fixed(format) => {
-                type $T = sph_lab::Emulated;
-                format.scope(|| $body)
+                sph_lab::Choice::Emulated(format).scope(|| {
+                    type $T = sph_lab::Chosen;
+                    $body
+                })
+            }
+            $crate::scalar_choice::ScalarName::Mini(format) => {
+                sph_lab::Choice::Mini(format).scope(|| {
+                    type $T = sph_lab::Chosen;
+                    $body
+                })
             }
         }
     };
@@ -124,7 +156,11 @@ mod tests {
             assert_eq!(ScalarName::of_name(&scalar.name()), Some(scalar));
         }
         assert_eq!(ScalarName::of_name("i3f13").unwrap().to_string(), "i3f13");
-        for none in ["wrapping-i16f16", "i0f16", "i40f40", "emulated", "f16"] {
+        for mini in ScalarName::minis() {
+            assert_eq!(mini.name(), with_scalar!(mini, T => name_of::<T>()));
+            assert_eq!(ScalarName::of_name(&mini.name()), Some(mini));
+        }
+        for none in ["wrapping-i16f16", "i0f16", "i40f40", "emulated", "f8"] {
             assert_eq!(ScalarName::of_name(none), None);
         }
     }

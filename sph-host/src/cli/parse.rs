@@ -5,7 +5,8 @@ use crate::scalar_choice::ScalarName;
 /// A number type.
 pub(super) fn scalar(text: &str) -> Result<ScalarName, String> {
     ScalarName::of_name(text).ok_or_else(|| {
-        let floats: Vec<String> = ScalarName::FLOATS.iter().map(|scalar| scalar.name()).collect();
+        let floats: Vec<String> =
+            ScalarName::FLOATS.iter().copied().chain(ScalarName::minis()).map(ScalarName::name).collect();
         let floats = floats.join(", ");
         format!(
             "expected {floats}, or fixed point such as i16f16: at least 1 integer bit, 8 to 64 bits together"

@@ -107,7 +107,7 @@ pub(super) struct SampleArgs {
 }
 
 /// The built-in sets.
-fn sets() -> String {
+pub(super) fn sets() -> String {
     demo::SETS.iter().map(|(name, _)| format!("demo:{name}")).collect::<Vec<_>>().join(", ")
 }
 
@@ -125,7 +125,8 @@ fn long_about() -> String {
 }
 
 fn scalar_help() -> String {
-    let compiled: Vec<String> = ScalarName::compiled().map(ScalarName::name).collect();
+    let compiled: Vec<String> =
+        ScalarName::compiled().chain(ScalarName::minis()).map(ScalarName::name).collect();
     format!(
         "The number type: {}, or any other fixed point iAfB with A integer bits, the sign among them, and B fraction bits, 8 to 64 together",
         compiled.join(", ")
@@ -221,7 +222,7 @@ fn request(args: SampleArgs) -> Result<Request, Failure> {
     })
 }
 
-fn particle_source(words: PathBuf, count: Option<usize>) -> Result<ParticleSource, Failure> {
+pub(super) fn particle_source(words: PathBuf, count: Option<usize>) -> Result<ParticleSource, Failure> {
     if let Some(name) = words.to_str().and_then(|words| words.strip_prefix("demo:")) {
         if demo::SETS.iter().all(|(known, _)| *known != name) {
             return Err(unknown_set(name));

@@ -1,6 +1,8 @@
 //! With what a case is simulated, and how the solver is made.
 
 use sph_core::scalar::compact::Compact;
+use sph_core::scalar::fast::Fast32;
+use sph_lab::{Emulated, Mini};
 
 use super::case::CaseName;
 use super::error::Error;
@@ -8,7 +10,7 @@ use super::solver::Solver;
 use crate::engine::{PositionBased, Setup, Simulate, Simulation};
 use crate::kernel_choice::KernelName;
 use crate::output::Precision;
-use crate::scalar_choice::{ScalarName, with_scalar};
+use crate::scalar_choice::ScalarName;
 
 /// With what a case is simulated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,8 +58,14 @@ impl Method {
             (Solver::Wcsph, _) => {
                 Box::new(Simulation::<f64, D>::new(setup, self.kernel).map_err(Error::Begin)?)
             }
-            (Solver::Pbf, scalar) => {
-                with_scalar!(scalar, T => self.position_based::<T, D>(setup, size, interval))?
+            (Solver::Pbf, ScalarName::F64) => self.position_based::<f64, D>(setup, size, interval)?,
+            (Solver::Pbf, ScalarName::F32) => self.position_based::<f32, D>(setup, size, interval)?,
+            (Solver::Pbf, ScalarName::Fast32) => self.position_based::<Fast32, D>(setup, size, interval)?,
+            (Solver::Pbf, ScalarName::Fixed(format)) => {
+                format.scope(|| self.position_based::<Emulated, D>(setup, size, interval))?
+            }
+            (Solver::Pbf, ScalarName::Mini(format)) => {
+                format.scope(|| self.position_based::<Mini, D>(setup, size, interval))?
             }
         })
     }

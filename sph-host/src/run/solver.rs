@@ -35,7 +35,10 @@ impl Solver {
         let names = floats.map(ScalarName::name).collect::<Vec<_>>();
         match self {
             Self::Wcsph => names.join(" or "),
-            Self::Pbf => format!("{} or fixed point such as i16f16", names.join(", ")),
+            Self::Pbf => format!(
+                "{}, floating point of 16 bits such as f16, or fixed point such as i16f16",
+                names.join(", ")
+            ),
         }
     }
 

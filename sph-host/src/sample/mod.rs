@@ -46,6 +46,7 @@ mod evaluate;
 mod found;
 mod memory;
 mod outline;
+mod particle_set;
 mod particles;
 mod plan;
 mod planes;
@@ -60,6 +61,7 @@ mod table;
 mod units;
 
 pub use error::{SampleError, Warning};
+pub(crate) use particle_set::ParticleSet;
 pub use request::{ParticleSource, Request, SamplePoints, SupportFrom};
 pub(crate) use significant::Significant;
 pub use units::Units;
