@@ -6,8 +6,9 @@
 //! 2. [`fast`]: particles sorted, and densities, neighbour lists and fields from them, in registers and threads.
 //! 3. [`sample`]: one request for fields, from a file to a table. It takes the fast path, or sph-core's own order of summation.
 //! 4. [`run`]: fluids that move, in cases that are measured against experiment and exact solutions.
-//! 5. [`output`] and [`picture`]: tables as files, and as images and plots.
-//! 6. [`cli`]: the words of the command. Nothing else here knows them: everything that `fluisim` does is a call of this library.
+//! 5. [`study`]: what a number type costs on one's own particles, and the one to take.
+//! 6. [`output`] and [`picture`]: tables as files, and as images and plots.
+//! 7. [`cli`]: the words of the command. Nothing else here knows them: everything that `fluisim` does is a call of this library.
 //!
 //! Kernels, number types and estimates are chosen when the program runs by [`kernel_choice`], [`scalar_choice`] and [`estimate_choice`].
 //! Long work tells a [`progress::Progress`] how far it has come.
@@ -35,6 +36,7 @@ pub mod progress;
 pub mod run;
 pub mod sample;
 pub mod scalar_choice;
+pub mod study;
 
 #[doc(hidden)]
 pub use engine::Tank;

@@ -6,6 +6,7 @@ use clap::builder::PossibleValue;
 use crate::estimate_choice::Estimate;
 use crate::kernel_choice::KernelName;
 use crate::run::{CaseName, Solver};
+use crate::study::{Target, UnitChoice};
 
 macro_rules! words {
     ($($Enum:ident),+) => {$(
@@ -21,4 +22,4 @@ macro_rules! words {
     )+};
 }
 
-words!(KernelName, Estimate, CaseName, Solver);
+words!(KernelName, Estimate, CaseName, Solver, Target, UnitChoice);

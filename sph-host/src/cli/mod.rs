@@ -9,6 +9,7 @@ mod progress;
 mod run;
 mod sample;
 mod sample_messages;
+mod study;
 
 use std::io::Write;
 use std::process::ExitCode;
@@ -38,6 +39,7 @@ struct Cli {
 enum Command {
     Run(run::RunArgs),
     Sample(Box<sample::SampleArgs>),
+    Study(Box<study::StudyArgs>),
     Kernels(kernels::KernelsArgs),
     Completions(install::CompletionsArgs),
     Man(install::ManArgs),
@@ -57,6 +59,7 @@ pub fn main() -> ExitCode {
     let done = prepare().and_then(|()| match cli.command {
         Command::Run(args) => run::run(args),
         Command::Sample(args) => sample::run(*args),
+        Command::Study(args) => study::run(*args),
         Command::Kernels(args) => kernels::run(&args),
         Command::Completions(args) => install::completions(&args, &mut Cli::command()),
         Command::Man(args) => install::man(&args, Cli::command()),

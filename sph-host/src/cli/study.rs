@@ -1,0 +1,316 @@
+//! `fluisim study`: words to a [`Request`], the report to stdout, files to a directory.
+
+use std::io::Write;
+use std::ops::RangeInclusive;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use sph_lab::{MiniFormat, Overflow, Rounding};
+
+use super::failure::Failure;
+use super::progress::Bar;
+use super::sample::{particle_source, sets};
+use super::sample_messages::explain;
+use super::{parse, say, to_stdout};
+use crate::io;
+use crate::kernel_choice::KernelName;
+use crate::output::Target as File;
+use crate::sample::SupportFrom;
+use crate::study::{self, Quantity, Request, Study, StudyError, Target, UnitChoice};
+
+/// Find what a number type costs on a particle set, and the one to take.
+#[derive(Debug, Args)]
+#[command(long_about = long_about())]
+pub(super) struct StudyArgs {
+    #[arg(help = format!("A particle file, or {}", sets()))]
+    particles: PathBuf,
+
+    /// The kernel, or all
+    #[arg(long, value_name = "NAME|all", default_value = "all", value_parser = kernels)]
+    kernel: Kernels,
+    /// What the error is measured of: density, interpolation, gradient, or a field of the file by its name; again for more
+    #[arg(long = "quantity", value_name = "NAME")]
+    quantities: Vec<String>,
+    /// The largest error that is good enough, relative to the largest value
+    #[arg(long, value_name = "QUANTITY=ERROR,…", value_parser = goal, value_delimiter = ',')]
+    want: Vec<(Quantity, f64)>,
+    /// The processor whose instructions are told
+    #[arg(long, value_enum, default_value_t = Target::M0)]
+    target: Target,
+    /// How many bits a number may have, 8 to 64
+    #[arg(long, value_name = "FROM..TO", value_parser = bits, default_value = "8..32")]
+    bits: Bits,
+    /// How results are rounded: nearest, floor, zero, stochastic; the recommendation has the first
+    #[arg(long, value_name = "ROUNDING,…", value_delimiter = ',', default_value = "nearest", value_parser = named::<Rounding>)]
+    round: Vec<Rounding>,
+    /// What becomes of results that are out of range: saturating, wrapping, checked; the recommendation has the first
+    #[arg(long, value_name = "OVERFLOW,…", value_delimiter = ',', default_value = "saturating", value_parser = named::<Overflow>)]
+    overflow: Vec<Overflow>,
+    /// Floating point of 16 bits to compare with: f16, bf16, posit16
+    #[arg(long, value_name = "FORMAT,…", value_delimiter = ',', value_parser = named::<MiniFormat>)]
+    also: Vec<MiniFormat>,
+    /// Integer bits to have beyond those that are needed
+    #[arg(long, value_name = "BITS", default_value_t = 0, value_parser = clap::value_parser!(u32).range(0..=32))]
+    margin: u32,
+    /// Print every place of the source with its part of the error
+    #[arg(long)]
+    blame: bool,
+    /// Compute bounds that hold for certain
+    #[arg(long)]
+    bound: bool,
+    /// The units that the numbers have
+    #[arg(long, value_enum, default_value_t = UnitChoice::Auto)]
+    units: UnitChoice,
+
+    /// The support radius, beyond which the kernel is zero
+    #[arg(long, value_name = "H", value_parser = parse::positive, allow_hyphen_values = true, conflicts_with = "smoothing_length")]
+    support: Option<f64>,
+    /// The smoothing length: the support radius divided by the kernel's support ratio; for one kernel
+    #[arg(long, value_name = "L", value_parser = parse::positive, allow_hyphen_values = true)]
+    smoothing_length: Option<f64>,
+    /// A column with each particle's support radius
+    #[arg(long, value_name = "NAME", conflicts_with = "smoothing_length_column")]
+    support_column: Option<String>,
+    /// A column with each particle's smoothing length; for one kernel
+    #[arg(long, value_name = "NAME")]
+    smoothing_length_column: Option<String>,
+    /// The mass of every particle, over a column
+    #[arg(long, value_name = "M", value_parser = parse::positive, allow_hyphen_values = true)]
+    mass: Option<f64>,
+    /// Dimensions, where a file has more coordinates than are meant
+    #[arg(long, value_parser = clap::value_parser!(u8).range(1..=3))]
+    dim: Option<u8>,
+    /// About how many particles a built-in set is to have
+    #[arg(long = "particles", value_name = "N", value_parser = parse::count)]
+    count: Option<usize>,
+
+    /// Threads; without it, one for each core. No byte of the result depends on it
+    #[arg(long, value_name = "N", value_parser = parse::count)]
+    threads: Option<usize>,
+    /// Also leave study.csv, study.json and pictures in this directory
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Replace files of an earlier study
+    #[arg(long)]
+    force: bool,
+    /// No progress bar
+    #[arg(long)]
+    quiet: bool,
+}
+
+fn long_about() -> String {
+    format!(
+        "Find what a number type costs on a particle set, and the one to take.\n\n\
+         PARTICLES is a file ({}) or a built-in set: {}. Every format of --bits is measured with each kernel at some of the \
+         particles, its integer bits being the fewest that hold all results; the fewest bits that meet --want are measured at all \
+         particles and recommended with the lines to paste. Errors are against f64, relative to the largest value. A format has \
+         the bits of the compiled type.\n\n\
+         Exit status 1 when no format meets the goals: the best one and what limits it are printed, and --out is written.\n\n\
+         Example: fluisim study demo:vortex --want density=1e-3,gradient=1e-2 --out study",
+        io::ENDINGS.join(", "),
+        sets(),
+    )
+}
+
+/// Kernels to choose from.
+#[derive(Clone, Debug)]
+struct Kernels(Vec<KernelName>);
+
+fn kernels(text: &str) -> Result<Kernels, String> {
+    if text == "all" {
+        return Ok(Kernels(KernelName::ALL.iter().copied().filter(|kernel| !kernel.is_singular()).collect()));
+    }
+    let names = || KernelName::ALL.iter().map(|kernel| kernel.name()).collect::<Vec<_>>().join(", ");
+    KernelName::of_name(text)
+        .map(|kernel| Kernels(vec![kernel]))
+        .ok_or_else(|| format!("expected all, {}", names()))
+}
+
+/// From so many bits to so many.
+#[derive(Clone, Debug)]
+struct Bits(RangeInclusive<u32>);
+
+fn bits(text: &str) -> Result<Bits, String> {
+    let (from, to) = text.split_once("..").unwrap_or((text, text));
+    let number =
+        |text: &str| text.trim_start_matches('=').parse::<u32>().ok().filter(|bits| (8..=64).contains(bits));
+    match (number(from), number(to)) {
+        (Some(from), Some(to)) if from <= to => Ok(Bits(from..=to)),
+        _ => Err(String::from("expected 8 to 64 bits, such as 8..32")),
+    }
+}
+
+/// A quantity and its error.
+fn goal(text: &str) -> Result<(Quantity, f64), String> {
+    let names = || Quantity::ALL.iter().map(|quantity| quantity.name()).collect::<Vec<_>>().join(", ");
+    let (name, error) = text
+        .split_once('=')
+        .ok_or_else(|| String::from("expected a quantity and its error, such as density=1e-3"))?;
+    let quantity = Quantity::of_name(name).ok_or_else(|| format!("`{name}`: expected one of {}", names()))?;
+    Ok((quantity, parse::positive(error).map_err(|expected| format!("`{error}`: {expected}"))?))
+}
+
+fn named<V: std::str::FromStr<Err: std::fmt::Display>>(text: &str) -> Result<V, String> {
+    text.parse().map_err(|error: V::Err| error.to_string())
+}
+
+/// Files of a study that may be there from an earlier one.
+const FILES: [&str; 7] =
+    ["study.csv", "study.json", "errors.png", "front.png", "bits.png", "units.png", "rounding.png"];
+
+/// Makes the study that the words say.
+pub(super) fn run(args: StudyArgs) -> Result<(), Failure> {
+    let (out, force, blame) = (args.out.clone(), args.force, args.blame);
+    if let Some(directory) = &out {
+        check_free(directory, force)?;
+    }
+    let bar = Bar::new(args.quiet, "{bar:40} {pos}/{len} formats, {left}");
+    let request = request(args)?;
+    let study = study::run(&request, &bar).map_err(failure)?;
+    let mut report = study.to_string();
+    if blame {
+        report.push_str(&blame_table(&study));
+    }
+    to_stdout(std::io::stdout().write_all(report.as_bytes()))?;
+    if let Some(directory) = &out {
+        write(&study, directory)?;
+    }
+    if study.recommendation.is_some() { Ok(()) } else { Err(no_recommendation(&study, &request)) }
+}
+
+fn request(args: StudyArgs) -> Result<Request, Failure> {
+    let Kernels(kernels) = args.kernel;
+    let is_one = kernels.len() == 1;
+    if !is_one && (args.smoothing_length.is_some() || args.smoothing_length_column.is_some()) {
+        return Err(Failure::usage(
+            "a smoothing length means another support radius for each kernel: choose one --kernel, or give --support",
+        ));
+    }
+    let support =
+        match (args.support, args.smoothing_length, args.support_column, args.smoothing_length_column) {
+            (Some(h), ..) => Some(SupportFrom::Radius(h)),
+            (_, Some(length), ..) => Some(SupportFrom::SmoothingLength(length)),
+            (_, _, Some(name), _) => Some(SupportFrom::RadiusColumn(name)),
+            (.., Some(name)) => Some(SupportFrom::SmoothingLengthColumn(name)),
+            _ => None,
+        };
+    let (asked, fields): (Vec<_>, Vec<_>) =
+        args.quantities.into_iter().partition(|name| Quantity::of_name(name).is_some());
+    let asked: Vec<Quantity> = asked.iter().filter_map(|name| Quantity::of_name(name)).collect();
+    // those of --quantity, else those of --want, else all
+    let named: Vec<Quantity> =
+        if asked.is_empty() { args.want.iter().map(|(quantity, _)| *quantity).collect() } else { asked };
+    let wanted = |quantity: Quantity| {
+        args.want.iter().rev().find(|(known, _)| *known == quantity).map(|(_, goal)| *goal)
+    };
+    let is_wanted =
+        |quantity: &&Quantity| named.is_empty() || named.contains(quantity) || wanted(**quantity).is_some();
+    let goals = Quantity::ALL.iter().filter(is_wanted);
+    let goals = goals.map(|&quantity| (quantity, wanted(quantity).unwrap_or(quantity.usual_goal())));
+    let Bits(bits) = args.bits;
+    Ok(Request {
+        support,
+        mass: args.mass,
+        dim: args.dim.map(usize::from),
+        fields,
+        kernels,
+        goals: goals.collect(),
+        bits,
+        roundings: args.round,
+        overflows: args.overflow,
+        also: args.also,
+        margin: args.margin,
+        bound: args.bound,
+        units: args.units,
+        target: args.target,
+        threads: args.threads,
+        ..Request::new(particle_source(args.particles, args.count)?)
+    })
+}
+
+/// Every place with its part of the error.
+fn blame_table(study: &Study) -> String {
+    let Some(insight) = &study.insight else { return String::new() };
+    let names: Vec<&str> = study.goals.iter().map(|(quantity, _)| quantity.name()).collect();
+    let mut table = format!(
+        "\n{:<44} error where it alone is rounded, and where all but it are: {}\n",
+        "place",
+        names.join(", ")
+    );
+    for one in &insight.blamed {
+        let errors = |of: &[f64; 3]| {
+            let each = study.goals.iter().map(|&(quantity, _)| format!("{:>9.2e}", of[quantity as usize]));
+            each.collect::<Vec<_>>().join(" ")
+        };
+        table.push_str(&format!("{:<44} {}  {}\n", one.place, errors(&one.alone), errors(&one.without)));
+    }
+    table
+}
+
+/// That no file of an earlier study is in the way.
+fn check_free(directory: &Path, force: bool) -> Result<(), Failure> {
+    if std::fs::metadata(directory).is_ok_and(|found| !found.is_dir()) {
+        return Err(Failure::input(format!(
+            "--out {}: is a file, expected a directory",
+            directory.display()
+        )));
+    }
+    match FILES.iter().map(|name| directory.join(name)).find(|path| path.exists()) {
+        Some(path) if !force => Err(Failure::input(format!(
+            "{}: the file exists already and is kept; use --force to replace it",
+            path.display()
+        ))),
+        _ => Ok(()),
+    }
+}
+
+/// Writes the files of a study; those of an earlier one that this one has not are removed.
+fn write(study: &Study, directory: &Path) -> Result<(), Failure> {
+    let failed = |error: std::io::Error| Failure::input(format!("{}: {error}", directory.display()));
+    std::fs::create_dir_all(directory).map_err(failed)?;
+    let file = |name: &str| File { path: directory.join(name), force: true };
+    let pictures = study.pictures().map_err(|error| Failure::input(error.to_string()))?;
+    for name in
+        FILES.iter().filter(|name| name.ends_with(".png") && pictures.iter().all(|(own, _)| own != *name))
+    {
+        let path = directory.join(name);
+        if path.exists() {
+            std::fs::remove_file(&path).map_err(failed)?;
+        }
+    }
+    file("study.csv").create(|file| study.write_csv(file))?;
+    for (name, image) in &pictures {
+        file(name).create(|file| image.write_png(file))?;
+    }
+    // the last to come: where it is, all others are
+    file("study.json").create(|file| writeln!(file, "{:#}", study.json()))?;
+    say(&format!("study.csv, study.json and {} pictures are in {}", pictures.len(), directory.display()));
+    Ok(())
+}
+
+fn no_recommendation(study: &Study, request: &Request) -> Failure {
+    let most = *request.bits.end();
+    let advice =
+        if most < 64 { "allow more --bits, or ask for less by --want" } else { "ask for less by --want" };
+    let limit = study.insight.as_ref().and_then(|insight| insight.blamed.first());
+    let limit = limit.map_or_else(String::new, |one| format!("; what limits it most is {}", one.place));
+    Failure::input(format!("{}: no format of up to {most} bits meets the goals{limit}: {advice}", study.file))
+}
+
+/// The error in the command's words.
+fn failure(error: StudyError) -> Failure {
+    match error {
+        StudyError::Particles(error) => explain(error),
+        StudyError::SingularKernel { .. } => Failure::usage(format!("{error}; choose another --kernel")),
+        StudyError::NoMass { .. } => {
+            Failure::input(format!("{error}: neither a column `m` or `mass` nor --mass"))
+        }
+        StudyError::NoFormat { .. } => {
+            Failure::input(format!("{error}; allow more --bits, or leave out --units file"))
+        }
+        StudyError::NothingToCompare { .. } => Failure::input(format!(
+            "{error}; name other quantities by --quantity, or give a larger --support"
+        )),
+        _ => Failure::input(error.to_string()),
+    }
+}
