@@ -30,6 +30,15 @@ pub struct Raster<const W: usize, const H: usize> {
     off: u8,
 }
 
+/// [`FULL`](Raster::FULL) times a share of at most ¼, rounded: 5/8 of its 256ths, in integers, since a type of few integer bits does not
+/// hold the product.
+fn in_bytes<T: Compact>(share: T) -> u8 {
+    let (whole, rest) = share.split(8);
+    let fifths = rest.times(5).floor_to_i32().clamp(0, 4) as usize;
+    let eighths = whole.min(255).wrapping_mul(5).wrapping_add(fifths).wrapping_add(4);
+    (eighths / 8) as u8
+}
+
 impl<const W: usize, const H: usize> Raster<W, H> {
     /// The density of a pixel full of fluid at rest. Bytes end at 255, 1.6 times that.
     pub const FULL: u8 = 160;
@@ -76,8 +85,7 @@ impl<const W: usize, const H: usize> Raster<W, H> {
         for (row, densities) in self.density.iter_mut().enumerate().take(rows.1).skip(rows.0) {
             let along = tent(y, row) * share;
             for (column, density) in densities.iter_mut().enumerate().take(columns.1).skip(columns.0) {
-                let part = (along * tent(x, column)).times(Self::FULL.into()) + T::ratio(1, 2);
-                *density = density.saturating_add(part.floor_to_i32().clamp(0, 255) as u8);
+                *density = density.saturating_add(in_bytes(along * tent(x, column)));
             }
         }
     }
@@ -135,6 +143,28 @@ mod tests {
         core::array::from_fn(|k| {
             Particle::new([0.25 + 0.5 * (k % 8) as f32 + shift, 0.25 + 0.5 * (k / 8) as f32], [0.0; 2])
         })
+    }
+
+    /// One particle gives a pixel a quarter of [`Raster::FULL`], 40: more than the largest number of these types.
+    #[cfg(feature = "fixed")]
+    #[test]
+    fn a_type_that_ends_below_a_share_of_light_gives_it_all_the_same() {
+        use crate::scalar::fixed::{Saturating, types};
+        fn densities<T: Compact>() -> [[u8; 4]; 3] {
+            let mut raster = Raster::<4, 3>::new();
+            let at = |k: i32| [T::ratio(3 * k % 31, 8), T::ratio(7 * k % 23, 8)];
+            let particles: [Particle<T, 2>; 20] =
+                core::array::from_fn(|k| Particle::new(at(k as i32), [T::ZERO; 2]));
+            raster.update(&particles, T::ONE);
+            raster.density
+        }
+        let exact = densities::<f64>();
+        assert!(exact.iter().flatten().any(|density| *density > 40));
+        for found in [densities::<Saturating<types::I5F11>>(), densities::<Saturating<types::I4F12>>()] {
+            for (found, exact) in found.iter().flatten().zip(exact.iter().flatten()) {
+                assert!(found.abs_diff(*exact) <= 2, "{found} for {exact}");
+            }
+        }
     }
 
     #[test]
