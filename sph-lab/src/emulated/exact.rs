@@ -1,4 +1,4 @@
-//! Integer arithmetic in 128 bits, rounded once to a format.
+//! Integer arithmetic in 128 bits, rounded once to a format; in 64 where the numbers of a format are narrow enough, with the same bits.
 
 use super::format::{Format, Overflow, Rounding};
 use super::random;
@@ -66,6 +66,43 @@ pub(super) fn held_sum(format: Format, wide: i128) -> i64 {
         Overflow::Saturating => wide.clamp(min(format).into(), max(format).into()) as i64,
         _ => held(format, wide),
     }
+}
+
+/// As [`held`], for a narrow format.
+#[inline]
+pub(super) fn held_narrow(format: Format, wide: i64) -> i64 {
+    let most = max(format);
+    match format.overflow() {
+        Overflow::Saturating => wide.clamp(-most, most),
+        Overflow::Wrapping => low_bits(format, wide.into()),
+        Overflow::Checked if wide.abs() <= most => wide,
+        Overflow::Checked => min(format),
+    }
+}
+
+/// As [`held_sum`], for a narrow format.
+#[inline]
+pub(super) fn held_narrow_sum(format: Format, wide: i64) -> i64 {
+    match format.overflow() {
+        Overflow::Saturating => wide.clamp(min(format), max(format)),
+        _ => held_narrow(format, wide),
+    }
+}
+
+/// product / 2^F, for a narrow format.
+#[inline]
+pub(super) fn rounded_narrow(format: Format, product: i64) -> i64 {
+    let bits = format.fraction_bits();
+    if bits == 0 {
+        return product;
+    }
+    let below = match format.rounding() {
+        Rounding::Nearest => (1 << (bits - 1)) - i64::from(product < 0),
+        Rounding::TowardZero if product < 0 => (1 << bits) - 1,
+        Rounding::Floor | Rounding::TowardZero => 0,
+        Rounding::Stochastic { .. } => (random::next() >> (64 - bits)) as i64,
+    };
+    (product + below) >> bits
 }
 
 /// wide / 2^`bits`

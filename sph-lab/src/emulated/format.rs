@@ -182,6 +182,12 @@ impl Format {
         self.integer_bits + self.fraction_bits
     }
 
+    /// Whether 64 bits hold the product of two numbers, with a unit more.
+    #[inline]
+    pub(super) const fn is_narrow(self) -> bool {
+        self.bits() <= 32
+    }
+
     /// How results are rounded.
     #[must_use]
     pub const fn rounding(self) -> Rounding {

@@ -4,19 +4,38 @@ use std::cmp::Ordering;
 use std::fmt::{Debug, Display, Formatter};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use super::exact::{held_sum, is_nar, quotient, rounded, undefined};
+use super::exact::{
+    held_narrow, held_narrow_sum, held_sum, is_nar, quotient, rounded, rounded_narrow, undefined,
+};
 use super::{Emulated, Format};
 use sph_core::Scalar;
 
 impl Emulated {
     /// A result of two counts, NaR where one of them is.
-    fn of_two(self, other: Self, result: impl FnOnce(Format, i128, i128) -> Self) -> Self {
+    fn of_two(self, other: Self, result: impl FnOnce(Format, i64, i64) -> Self) -> Self {
         let format = Format::current();
         let (a, b) = (self.count(format), other.count(format));
         if is_nar(format, a) || is_nar(format, b) {
             return Self::of(undefined(format));
         }
-        result(format, a.into(), b.into())
+        result(format, a, b)
+    }
+
+    /// Sums of two counts of up to 32 bits need no more than 64.
+    fn of_sum(format: Format, a: i64, b: i64) -> Self {
+        Self::of(if format.is_narrow() {
+            held_narrow_sum(format, a + b)
+        } else {
+            held_sum(format, i128::from(a) + i128::from(b))
+        })
+    }
+
+    fn of_difference(format: Format, a: i64, b: i64) -> Self {
+        Self::of(if format.is_narrow() {
+            held_narrow_sum(format, a - b)
+        } else {
+            held_sum(format, i128::from(a) - i128::from(b))
+        })
     }
 }
 
@@ -24,7 +43,7 @@ impl Add for Emulated {
     type Output = Self;
 
     fn add(self, other: Self) -> Self {
-        self.of_two(other, |format, a, b| Self::of(held_sum(format, a + b)))
+        self.of_two(other, Self::of_sum)
     }
 }
 
@@ -32,7 +51,7 @@ impl Sub for Emulated {
     type Output = Self;
 
     fn sub(self, other: Self) -> Self {
-        self.of_two(other, |format, a, b| Self::of(held_sum(format, a - b)))
+        self.of_two(other, Self::of_difference)
     }
 }
 
@@ -41,7 +60,11 @@ impl Mul for Emulated {
 
     fn mul(self, other: Self) -> Self {
         self.of_two(other, |format, a, b| {
-            Self::narrow(format, rounded(format, a * b, format.fraction_bits()))
+            if format.is_narrow() {
+                return Self::of(held_narrow(format, rounded_narrow(format, a * b)));
+            }
+            let product = i128::from(a) * i128::from(b);
+            Self::narrow(format, rounded(format, product, format.fraction_bits()))
         })
     }
 }
@@ -51,7 +74,8 @@ impl Div for Emulated {
 
     fn div(self, other: Self) -> Self {
         self.of_two(other, |format, a, b| {
-            Self::of_quotient(format, quotient(format, a << format.fraction_bits(), b), a)
+            let shifted = i128::from(a) << format.fraction_bits();
+            Self::of_quotient(format, quotient(format, shifted, b.into()), a.into())
         })
     }
 }
