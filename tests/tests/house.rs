@@ -87,3 +87,12 @@ fn the_readme_of_a_package_has_no_relative_link() {
         }
     }
 }
+
+/// The package of the command has what was counted on the targets, a copy.
+#[test]
+fn the_study_tells_the_instructions_that_were_counted() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap();
+    let read = |path: &str| std::fs::read_to_string(root.join(path)).unwrap();
+    let (counted, told) = (read("tests/on-target/counts.csv"), read("sph-host/src/study/instructions.csv"));
+    assert!(counted == told, "copy tests/on-target/counts.csv to sph-host/src/study/instructions.csv");
+}

@@ -15,15 +15,26 @@ use super::{parse, say, to_stdout};
 use crate::io;
 use crate::kernel_choice::KernelName;
 use crate::output::Target as File;
+use crate::run::CaseName;
 use crate::sample::SupportFrom;
+use crate::study::fluid::{self, FluidRequest};
 use crate::study::{self, Quantity, Request, Study, StudyError, Target, UnitChoice};
 
 /// Find what a number type costs on a particle set, and the one to take.
 #[derive(Debug, Args)]
 #[command(long_about = long_about())]
 pub(super) struct StudyArgs {
-    #[arg(help = format!("A particle file, or {}", sets()))]
-    particles: PathBuf,
+    #[arg(required_unless_present = "fluid", help = format!("A particle file, or {}", sets()))]
+    particles: Option<PathBuf>,
+    /// Study a position-based fluid instead: its height and speed over several starts in each format, beside f64's own scatter
+    #[arg(long, value_name = "CASE", value_enum, conflicts_with = "particles")]
+    fluid: Option<CaseName>,
+    /// Frames of the fluid
+    #[arg(long, value_name = "N", default_value_t = 600, value_parser = clap::value_parser!(u32).range(60..=100_000), requires = "fluid")]
+    frames: u32,
+    /// How often the fluid is begun, from slightly different places
+    #[arg(long, value_name = "N", default_value_t = 8, value_parser = clap::value_parser!(u32).range(2..=1000), requires = "fluid")]
+    starts: u32,
 
     /// The kernel, or all
     #[arg(long, value_name = "NAME|all", default_value = "all", value_parser = kernels)]
@@ -81,7 +92,7 @@ pub(super) struct StudyArgs {
     #[arg(long, value_parser = clap::value_parser!(u8).range(1..=3))]
     dim: Option<u8>,
     /// About how many particles a built-in set is to have
-    #[arg(long = "particles", value_name = "N", value_parser = parse::count)]
+    #[arg(long = "particles", id = "count", value_name = "N", value_parser = parse::count)]
     count: Option<usize>,
 
     /// Threads; without it, one for each core. No byte of the result depends on it
@@ -164,6 +175,9 @@ pub(super) fn run(args: StudyArgs) -> Result<(), Failure> {
     if let Some(directory) = &out {
         check_free(directory, force)?;
     }
+    if let Some(case) = args.fluid {
+        return run_fluid(case, &args);
+    }
     let bar = Bar::new(args.quiet, "{bar:40} {pos}/{len} formats, {left}");
     let request = request(args)?;
     let study = study::run(&request, &bar).map_err(failure)?;
@@ -176,6 +190,28 @@ pub(super) fn run(args: StudyArgs) -> Result<(), Failure> {
         write(&study, directory)?;
     }
     if study.recommendation.is_some() { Ok(()) } else { Err(no_recommendation(&study, &request)) }
+}
+
+/// Makes the study of a fluid.
+fn run_fluid(case: CaseName, args: &StudyArgs) -> Result<(), Failure> {
+    let bar = Bar::new(args.quiet, "{bar:40} {pos}/{len} runs, {left}");
+    let usual = FluidRequest::new(case);
+    let roundings =
+        if args.round == [Rounding::Nearest] { usual.roundings.clone() } else { args.round.clone() };
+    let (frames, starts, threads) = (args.frames, args.starts, args.threads);
+    let study =
+        fluid::run(&FluidRequest { frames, starts, threads, roundings, ..usual }, &bar).map_err(failure)?;
+    to_stdout(std::io::stdout().write_all(study.to_string().as_bytes()))?;
+    if let Some(directory) = &args.out {
+        let failed = |error: std::io::Error| Failure::input(format!("{}: {error}", directory.display()));
+        std::fs::create_dir_all(directory).map_err(failed)?;
+        let file = File { path: directory.join("study.json"), force: true };
+        file.create(|file| writeln!(file, "{:#}", study.json()))?;
+    }
+    match study.recommended() {
+        Some(_) => Ok(()),
+        None => Err(Failure::input(format!("{case}: no compiled format is within the scatter of f64"))),
+    }
 }
 
 fn request(args: StudyArgs) -> Result<Request, Failure> {
@@ -224,7 +260,7 @@ fn request(args: StudyArgs) -> Result<Request, Failure> {
         units: args.units,
         target: args.target,
         threads: args.threads,
-        ..Request::new(particle_source(args.particles, args.count)?)
+        ..Request::new(particle_source(args.particles.unwrap_or_default(), args.count)?)
     })
 }
 

@@ -63,6 +63,11 @@ impl<T: Compact, const D: usize> PositionBased<T, D> {
         Ok(fluid)
     }
 
+    /// Seconds of a frame.
+    pub(crate) fn frame(&self) -> f64 {
+        self.dt
+    }
+
     fn particle(&self, position: &[f64; D], velocity: &[f64; D], pressure: f64) -> Particle<T, D> {
         let position = position.map(|x| T::from_f64(x / self.unit));
         let velocity = velocity.map(|v| T::from_f64(v / (self.unit / self.dt)));

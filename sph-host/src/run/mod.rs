@@ -49,6 +49,7 @@ pub use summary::Summary;
 
 use std::time::Instant;
 
+use crate::engine::Setup;
 use crate::progress::Progress;
 use case_run::CaseRun;
 use definition::Form;
@@ -130,4 +131,11 @@ fn simulate_form<const D: usize>(
         }
     };
     Ok((summary, run.series))
+}
+
+/// The fluid of a case in two dimensions with so many particles across, and the size of its box.
+pub(crate) fn fluid_of(case: CaseName, resolution: u32) -> Option<(Setup<2>, [f64; 2])> {
+    let form = case.definition().in_2d.as_ref()?;
+    let built = (form.build)(resolution);
+    Some((built.setup(), built.inside().map(|(_, upper)| upper)))
 }

@@ -5,6 +5,7 @@ use thiserror::Error;
 use super::request::Quantity;
 use crate::kernel_choice::KernelName;
 use crate::output::WriteError;
+use crate::run::CaseName;
 use crate::sample::SampleError;
 
 /// Why a study cannot be made. `file` is the file's name as given, or that of a built-in set.
@@ -67,6 +68,32 @@ pub enum StudyError {
         most: u32,
         /// What does not fit.
         why: String,
+    },
+    /// A case that no position-based fluid plays.
+    #[error("{case}: it is no position-based fluid")]
+    NoFluid {
+        /// The case.
+        case: CaseName,
+    },
+    /// A fluid that differs so much from start to start that nothing can be told of a format.
+    #[error(
+        "{case}: its height scatters by {scatter:.3} of itself from start to start in f64, more than {most}: nothing can be told of a format"
+    )]
+    Chaotic {
+        /// The case.
+        case: CaseName,
+        /// The standard deviation over the mean.
+        scatter: f64,
+        /// The most that was allowed.
+        most: f64,
+    },
+    /// A fluid that a format cannot hold.
+    #[error("{case}: {error}")]
+    Fluid {
+        /// The case.
+        case: CaseName,
+        /// What sph-core says.
+        error: sph_core::Error,
     },
     /// Threads cannot be started.
     #[error("cannot start threads: {0}")]

@@ -29,6 +29,9 @@
 mod costs;
 mod error;
 mod files;
+pub mod fluid;
+#[doc = include_str!("../../docs/fixed-point.md")]
+pub mod findings {}
 mod formats;
 mod insight;
 mod measure;

@@ -177,3 +177,27 @@ fn sets_that_are_not_as_they_should_be_are_refused() {
     let missing = Request::new(ParticleSource::File("no/such/file.csv".into()));
     assert!(matches!(run(&missing, &()), Err(StudyError::Particles(SampleError::Read(_)))));
 }
+
+#[test]
+fn a_fluid_is_judged_by_its_scatter() {
+    use super::fluid::{FluidRequest, Usage, run};
+    let request = FluidRequest {
+        frames: 60,
+        starts: 2,
+        fractions: vec![14, 8],
+        roundings: vec![sph_lab::Rounding::Floor],
+        ..FluidRequest::new(crate::run::CaseName::Tilt)
+    };
+    let study = run(&request, &()).unwrap();
+    let coarse =
+        study.rows.iter().find(|row| row.format.is_some_and(|format| format.fraction_bits() == 8)).unwrap();
+    assert!(!coarse.is_accepted() && study.rows[0].is_accepted(), "{study}");
+    assert_eq!(study.rows.iter().filter(|row| row.usage == Usage::Compiled).count(), 2);
+    assert!(study.json()["rows"].as_array().unwrap().len() == 5);
+    let one = FluidRequest { fractions: vec![14], threads: Some(1), ..request.clone() };
+    assert_eq!(study.rows[..2], run(&one, &()).unwrap().rows[..2]);
+    let chaotic = FluidRequest { most_scatter: 1e-9, fractions: vec![14], ..request.clone() };
+    assert!(matches!(run(&chaotic, &()), Err(StudyError::Chaotic { .. })));
+    let none = FluidRequest { case: crate::run::CaseName::TaylorGreen, ..request };
+    assert!(matches!(run(&none, &()), Err(StudyError::NoFluid { .. })));
+}

@@ -1,0 +1,334 @@
+//! What a number type does to a position-based fluid: not its bits, which chaos parts within a second, but its height and speed.
+//!
+//! A fluid is begun several times from slightly different places. What differs between these starts in f64 is the scatter that any
+//! arithmetic has; a format is as good as f64 where its mean over the starts is within [`LIMIT`] of that scatter.
+
+use std::fmt::{Display, Formatter};
+
+use serde_json::{Value, json};
+use sph_core::scalar::compact::Compact;
+use sph_lab::{Choice, Chosen, Emulated, Format, Rounding};
+
+use super::error::StudyError;
+use super::report::type_name;
+use crate::engine::{PositionBased, Setup, Simulate};
+use crate::parallel;
+use crate::progress::Progress;
+use crate::run::{self, CaseName};
+use crate::sample::Significant;
+
+/// Standard deviations of f64's scatter that a mean may be off.
+pub(super) const LIMIT: f64 = 2.0;
+/// Particles across the case's length: some 288 in all.
+const RESOLUTION: u32 = 27;
+/// Frames at the end over which a run is measured.
+const MEASURED: u32 = 60;
+/// How far starts differ, in spacings.
+const APART: f64 = 0.02;
+/// Integer bits of the formats that are used throughout: enough for places and sums.
+const INTEGER: u32 = 8;
+
+/// What can be asked of a study of a fluid.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FluidRequest {
+    /// The case.
+    pub case: CaseName,
+    /// Frames of the solver to simulate.
+    pub frames: u32,
+    /// How often the fluid is begun.
+    pub starts: u32,
+    /// Fraction bits to try, many first.
+    pub fractions: Vec<u32>,
+    /// Roundings to try.
+    pub roundings: Vec<Rounding>,
+    /// The scatter of f64 beyond which nothing can be told, relative to the mean height.
+    pub most_scatter: f64,
+    /// Threads; none: one for each core.
+    pub threads: Option<usize>,
+}
+
+impl FluidRequest {
+    /// A study of this case with everything else as it is where nothing is asked for.
+    #[must_use]
+    pub fn new(case: CaseName) -> Self {
+        Self {
+            case,
+            frames: 600,
+            starts: 8,
+            fractions: vec![14, 12, 11, 10, 8],
+            roundings: vec![Rounding::Nearest, Rounding::Floor],
+            most_scatter: 0.05,
+            threads: None,
+        }
+    }
+}
+
+/// The mean over starts, and its standard deviation from start to start.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Spread {
+    /// The mean.
+    pub mean: f64,
+    /// The standard deviation.
+    pub deviation: f64,
+}
+
+/// How numbers of a format are used.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Usage {
+    /// Every number of the solver is one of the format.
+    Throughout,
+    /// As in a firmware: the solver's places are counts of 2⁻¹⁴, and the format is that of what goes in and comes out.
+    Compiled,
+}
+
+/// One format.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FluidRow {
+    /// The format; none for f64.
+    pub format: Option<Format>,
+    /// How it is used.
+    pub usage: Usage,
+    /// Twice the mean height of the particles, in metres.
+    pub height: Spread,
+    /// The root of the mean square speed, in m/s.
+    pub speed: Spread,
+    /// How far height and speed are from f64's, in standard deviations of its scatter.
+    pub off: [f64; 2],
+}
+
+impl FluidRow {
+    /// Whether it is as good as f64.
+    #[must_use]
+    pub fn is_accepted(&self) -> bool {
+        self.off.iter().all(|off| *off <= LIMIT)
+    }
+
+    fn name(&self) -> String {
+        let Some(format) = self.format else { return String::from("f64") };
+        match self.usage {
+            Usage::Throughout => format!("{format} throughout, {}", format.rounding()),
+            Usage::Compiled => format!("{} as compiled", type_name(format)),
+        }
+    }
+}
+
+/// What was found of a fluid.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FluidStudy {
+    /// The case.
+    pub case: CaseName,
+    /// How many particles there are.
+    pub particles: usize,
+    /// Frames that were simulated.
+    pub frames: u32,
+    /// How often the fluid was begun.
+    pub starts: u32,
+    /// f64 first, then the formats.
+    pub rows: Vec<FluidRow>,
+}
+
+/// A run to be made: in which format, from which start.
+type Job = (Option<Format>, Usage, u32);
+
+/// Makes a study of a fluid.
+///
+/// # Errors
+/// [`StudyError::NoFluid`] for a case that is no position-based fluid, [`StudyError::Chaotic`] where f64 itself scatters too much,
+/// [`StudyError::Fluid`] where a format cannot hold the box.
+pub fn run(request: &FluidRequest, progress: &dyn Progress) -> Result<FluidStudy, StudyError> {
+    let is_fluid = request.case.solvers().contains(&run::Solver::Pbf);
+    let fluid = run::fluid_of(request.case, RESOLUTION).filter(|_| is_fluid);
+    let (setup, size) = fluid.ok_or(StudyError::NoFluid { case: request.case })?;
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(request.threads.unwrap_or(0).min(256))
+        .build()
+        .map_err(|error| StudyError::Threads(error.to_string()))?;
+    let formats = formats(request, &setup, size);
+    let with_starts = |&(format, usage): &(Option<Format>, Usage)| {
+        (0..request.starts).map(move |start| (format, usage, start))
+    };
+    let jobs: Vec<Job> = formats.iter().flat_map(with_starts).collect();
+    progress.begin(jobs.len() as u64, 0);
+    let found = pool.install(|| {
+        parallel::map(jobs.into_iter(), |_, job| {
+            let measured = measure(&setup, size, job, request.frames);
+            progress.advance(1);
+            measured
+        })
+    });
+    progress.end();
+    let found: Result<Vec<[f64; 2]>, _> = found.into_iter().collect();
+    let found = found.map_err(|error| StudyError::Fluid { case: request.case, error })?;
+    let rows = rows(&formats, found.chunks(request.starts as usize));
+    let truth = rows[0].height;
+    if truth.deviation > request.most_scatter * truth.mean {
+        let (scatter, most) = (truth.deviation / truth.mean, request.most_scatter);
+        return Err(StudyError::Chaotic { case: request.case, scatter, most });
+    }
+    let (frames, starts) = (request.frames, request.starts);
+    Ok(FluidStudy { case: request.case, particles: setup.positions.len(), frames, starts, rows })
+}
+
+/// f64, the formats throughout, and the words that hold the box as compiled, the narrowest first.
+fn formats(request: &FluidRequest, setup: &Setup<2>, size: [f64; 2]) -> Vec<(Option<Format>, Usage)> {
+    let throughout = request.roundings.iter().flat_map(|&rounding| {
+        let format = move |&fraction: &u32| {
+            Format::new(INTEGER, fraction).ok().map(|format| format.with_rounding(rounding))
+        };
+        request.fractions.iter().filter_map(format)
+    });
+    let farthest = size.into_iter().fold(0.0, f64::max) / (2.0 * setup.spacing);
+    let integer = farthest.log2().floor() as u32 + 2;
+    let words = [16, 32].into_iter().filter_map(|word| Format::new(integer, word - integer).ok());
+    let compiled = words.map(|format| (Some(format), Usage::Compiled));
+    std::iter::once((None, Usage::Throughout))
+        .chain(throughout.map(|format| (Some(format), Usage::Throughout)))
+        .chain(compiled)
+        .collect()
+}
+
+/// Height and speed at the end of one run.
+fn measure(setup: &Setup<2>, size: [f64; 2], job: Job, frames: u32) -> Result<[f64; 2], sph_core::Error> {
+    let (format, usage, start) = job;
+    let mut setup = setup.clone();
+    let mut state = u64::from(start).wrapping_mul(0x9E37_79B9_7F4A_7C15) + 1;
+    let spacing = setup.spacing;
+    let mut random = || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+    };
+    for x in &mut setup.positions {
+        *x = x.map(|x| x + APART * spacing * random());
+    }
+    match (format, usage) {
+        (None, _) => simulate::<f64>(&setup, size, frames),
+        (Some(format), Usage::Throughout) => {
+            Choice::Emulated(format).scope(|| simulate::<Chosen>(&setup, size, frames))
+        }
+        (Some(format), Usage::Compiled) => format.scope(|| simulate::<Emulated>(&setup, size, frames)),
+    }
+}
+
+fn simulate<T: Compact>(setup: &Setup<2>, size: [f64; 2], frames: u32) -> Result<[f64; 2], sph_core::Error> {
+    let mut fluid = PositionBased::<T, 2>::new(setup, size, 1.0)?;
+    let frame = fluid.frame();
+    let first = frames.saturating_sub(MEASURED);
+    let mut sums = [0.0; 2];
+    for number in first..frames {
+        // a fluid that escapes has no height: what it leaves is measured as it is
+        let _ = fluid.advance(f64::from(number + 1) * frame);
+        let now = fluid.snapshot();
+        let count = now.positions.len() as f64;
+        sums[0] += 2.0 * now.positions.iter().map(|x| x[1]).sum::<f64>() / count;
+        let squares = now.velocities.iter().map(|v| v[0] * v[0] + v[1] * v[1]).sum::<f64>();
+        sums[1] += (squares / count).sqrt();
+    }
+    let measured = f64::from(frames - first).max(1.0);
+    Ok(sums.map(|sum| sum / measured))
+}
+
+fn spread(values: impl Iterator<Item = f64> + Clone) -> Spread {
+    let count = values.clone().count() as f64;
+    let mean = values.clone().sum::<f64>() / count;
+    let squares = values.map(|value| (value - mean).powi(2)).sum::<f64>();
+    Spread { mean, deviation: (squares / (count - 1.0).max(1.0)).sqrt() }
+}
+
+fn rows<'a>(
+    formats: &[(Option<Format>, Usage)],
+    found: impl Iterator<Item = &'a [[f64; 2]]>,
+) -> Vec<FluidRow> {
+    let mut rows: Vec<FluidRow> = Vec::new();
+    for (&(format, usage), starts) in formats.iter().zip(found) {
+        let [height, speed] = [0, 1].map(|index| spread(starts.iter().map(|one| one[index])));
+        let truth = rows.first().map_or([height, speed], |first| [first.height, first.speed]);
+        let off = [(height, truth[0]), (speed, truth[1])].map(|(own, truth)| {
+            let off = (own.mean - truth.mean).abs() / truth.deviation;
+            if off.is_nan() && own.mean == truth.mean { 0.0 } else { off }
+        });
+        rows.push(FluidRow { format, usage, height, speed, off });
+    }
+    rows
+}
+
+impl FluidStudy {
+    /// The narrowest compiled format that is as good as f64.
+    #[must_use]
+    pub fn recommended(&self) -> Option<Format> {
+        let compiled = self.rows.iter().filter(|row| row.usage == Usage::Compiled && row.is_accepted());
+        compiled.filter_map(|row| row.format).min_by_key(|format| format.bits())
+    }
+
+    /// The fewest fraction bits of a format that is as good as f64 throughout, rounded to nearest.
+    #[must_use]
+    pub fn fewest_fraction_bits(&self) -> Option<u32> {
+        let nearest = self.rows.iter().filter(|row| row.usage == Usage::Throughout && row.is_accepted());
+        let formats =
+            nearest.filter_map(|row| row.format).filter(|format| format.rounding() == Rounding::Nearest);
+        formats.map(Format::fraction_bits).min()
+    }
+
+    /// Everything as JSON.
+    #[must_use]
+    pub fn json(&self) -> Value {
+        let spread = |spread: Spread| json!({"mean": spread.mean, "deviation": spread.deviation});
+        let rows = self.rows.iter().map(|row| {
+            json!({
+                "scalar": row.format.map_or_else(|| String::from("f64"), |format| format.to_string()),
+                "usage": if row.usage == Usage::Throughout { "throughout" } else { "compiled" },
+                "rounding": row.format.map(|format| format.rounding().to_string()),
+                "height": spread(row.height),
+                "speed": spread(row.speed),
+                "off_in_deviations": {"height": row.off[0], "speed": row.off[1]},
+                "accepted": row.is_accepted(),
+            })
+        });
+        json!({
+            "case": self.case.name(),
+            "particles": self.particles,
+            "frames": self.frames,
+            "starts": self.starts,
+            "recommended": self.recommended().map(|format| json!({
+                "scalar": format.to_string(),
+                "type": type_name(format),
+                "integer_bits": format.integer_bits(),
+                "fraction_bits": format.fraction_bits(),
+                "overflow": format.overflow().to_string(),
+            })),
+            "fewest_fraction_bits": self.fewest_fraction_bits(),
+            "rows": rows.collect::<Vec<_>>(),
+        })
+    }
+}
+
+/// The report: a line for each format.
+impl Display for FluidStudy {
+    fn fmt(&self, f: &mut Formatter<'_>) -> std::fmt::Result {
+        let Self { case, particles, frames, starts, .. } = self;
+        writeln!(f, "{case}: {particles} particles, {frames} frames, {starts} starts")?;
+        writeln!(f, "{:34} {:>22} {:>22} {:>15}", "format", "height / m", "speed / (m/s)", "off by σ")?;
+        for row in &self.rows {
+            let spread = |spread: Spread| format!("{:.5} ± {:.5}", spread.mean, spread.deviation);
+            let verdict = if row.is_accepted() { "" } else { "  rejected" };
+            let [height, speed] = row.off.map(|off| format!("{:.2}", Significant(off)));
+            writeln!(
+                f,
+                "{:34} {:>22} {:>22} {:>15}{verdict}",
+                row.name(),
+                spread(row.height),
+                spread(row.speed),
+                format!("{height}, {speed}")
+            )?;
+        }
+        match self.fewest_fraction_bits() {
+            Some(bits) => {
+                writeln!(f, "places, speeds and weights need {bits} fraction bits; a compiled fluid has 14")?
+            }
+            None => writeln!(f, "no number of fraction bits that was tried is as good as f64")?,
+        }
+        match self.recommended() {
+            Some(format) => writeln!(f, "recommended   {}", type_name(format)),
+            None => writeln!(f, "recommended   none: no compiled format is within {LIMIT} σ of f64"),
+        }
+    }
+}
