@@ -18,7 +18,7 @@ use crate::run::{self, CaseName};
 use crate::sample::Significant;
 
 /// Standard deviations of f64's scatter that a mean may be off.
-pub(super) const LIMIT: f64 = 2.0;
+pub const LIMIT: f64 = 2.0;
 /// Particles across the case's length: some 288 in all.
 const RESOLUTION: u32 = 27;
 /// Frames at the end over which a run is measured.

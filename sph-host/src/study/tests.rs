@@ -150,10 +150,13 @@ fn a_goal_that_is_not_met_leaves_the_best_and_what_limits_it() {
     assert!(study.to_string().contains("best"));
 }
 
+/// Rows of a file, a change of the request, and words of the message.
+type Refused<'a> = (&'a [&'a str], &'a dyn Fn(&mut Request), &'a str);
+
 #[test]
 fn sets_that_are_not_as_they_should_be_are_refused() {
     let directory = tempfile::tempdir().unwrap();
-    let mut study = |rows: &[&str], change: &dyn Fn(&mut Request)| {
+    let study = |rows: &[&str], change: &dyn Fn(&mut Request)| {
         let source = file(&directory, rows.iter().map(|row| (*row).to_owned()));
         let mut request = Request { kernels: vec![KernelName::Poly6], ..Request::new(source) };
         request.support = Some(crate::sample::SupportFrom::Radius(1.0));
@@ -161,7 +164,7 @@ fn sets_that_are_not_as_they_should_be_are_refused() {
         run(&request, &()).unwrap_err().to_string()
     };
     let fine = ["x,y,m,a", "0,0,1,1", "0.5,0,1,2", "0,0.5,1,3"];
-    let cases: [(&[&str], &dyn Fn(&mut Request), &str); 7] = [
+    let cases: [Refused<'_>; 7] = [
         (&["x,y,m", "0,0,1"], &|_| (), "the gradient is zero at every particle (there is one particle)"),
         (&["x,y,m,a", "0,0,1,0", "0.5,0,1,0"], &|_| (), "the interpolation is zero"),
         (&["x,y,m,a", "0,0,1,1", "9,9,1,2"], &|_| (), "the gradient is zero"),
