@@ -10,6 +10,7 @@ mod run;
 mod sample;
 mod sample_messages;
 mod study;
+mod study_words;
 
 use std::io::Write;
 use std::process::ExitCode;

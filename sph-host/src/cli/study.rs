@@ -1,7 +1,6 @@
 //! `fluisim study`: words to a [`Request`], the report to stdout, files to a directory.
 
 use std::io::Write;
-use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -11,9 +10,9 @@ use super::failure::Failure;
 use super::progress::Bar;
 use super::sample::{particle_source, sets};
 use super::sample_messages::explain;
+use super::study_words::{Bits, Kernels, bits, goal, kernels, named};
 use super::{parse, say, to_stdout};
 use crate::io;
-use crate::kernel_choice::KernelName;
 use crate::output::Target as File;
 use crate::run::CaseName;
 use crate::sample::SupportFrom;
@@ -121,48 +120,6 @@ fn long_about() -> String {
         io::ENDINGS.join(", "),
         sets(),
     )
-}
-
-/// Kernels to choose from.
-#[derive(Clone, Debug)]
-struct Kernels(Vec<KernelName>);
-
-fn kernels(text: &str) -> Result<Kernels, String> {
-    if text == "all" {
-        return Ok(Kernels(KernelName::ALL.iter().copied().filter(|kernel| !kernel.is_singular()).collect()));
-    }
-    let names = || KernelName::ALL.iter().map(|kernel| kernel.name()).collect::<Vec<_>>().join(", ");
-    KernelName::of_name(text)
-        .map(|kernel| Kernels(vec![kernel]))
-        .ok_or_else(|| format!("expected all, {}", names()))
-}
-
-/// From so many bits to so many.
-#[derive(Clone, Debug)]
-struct Bits(RangeInclusive<u32>);
-
-fn bits(text: &str) -> Result<Bits, String> {
-    let (from, to) = text.split_once("..").unwrap_or((text, text));
-    let number =
-        |text: &str| text.trim_start_matches('=').parse::<u32>().ok().filter(|bits| (8..=64).contains(bits));
-    match (number(from), number(to)) {
-        (Some(from), Some(to)) if from <= to => Ok(Bits(from..=to)),
-        _ => Err(String::from("expected 8 to 64 bits, such as 8..32")),
-    }
-}
-
-/// A quantity and its error.
-fn goal(text: &str) -> Result<(Quantity, f64), String> {
-    let names = || Quantity::ALL.iter().map(|quantity| quantity.name()).collect::<Vec<_>>().join(", ");
-    let (name, error) = text
-        .split_once('=')
-        .ok_or_else(|| String::from("expected a quantity and its error, such as density=1e-3"))?;
-    let quantity = Quantity::of_name(name).ok_or_else(|| format!("`{name}`: expected one of {}", names()))?;
-    Ok((quantity, parse::positive(error).map_err(|expected| format!("`{error}`: {expected}"))?))
-}
-
-fn named<V: std::str::FromStr<Err: std::fmt::Display>>(text: &str) -> Result<V, String> {
-    text.parse().map_err(|error: V::Err| error.to_string())
 }
 
 /// Files of a study that may be there from an earlier one.
@@ -343,6 +300,10 @@ fn failure(error: StudyError) -> Failure {
         }
         StudyError::NoFormat { .. } => {
             Failure::input(format!("{error}; allow more --bits, or leave out --units file"))
+        }
+        StudyError::NoFluid { .. } => Failure::usage(format!("--fluid {error}: choose dam-break or tilt")),
+        StudyError::Chaotic { .. } => {
+            Failure::input(format!("{error}; give more --frames, so that it comes to rest"))
         }
         StudyError::NothingToCompare { .. } => Failure::input(format!(
             "{error}; name other quantities by --quantity, or give a larger --support"

@@ -17,6 +17,7 @@ mod planes;
 mod process;
 mod refusals;
 mod scalars;
+mod study;
 mod support;
 mod units;
 mod words;
