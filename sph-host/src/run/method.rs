@@ -2,7 +2,7 @@
 
 use sph_core::scalar::compact::Compact;
 use sph_core::scalar::fast::Fast32;
-use sph_lab::{Emulated, Mini};
+use sph_lab::{Choice, Chosen, Emulated};
 
 use super::case::CaseName;
 use super::error::Error;
@@ -65,7 +65,7 @@ impl Method {
                 format.scope(|| self.position_based::<Emulated, D>(setup, size, interval))?
             }
             (Solver::Pbf, ScalarName::Mini(format)) => {
-                format.scope(|| self.position_based::<Mini, D>(setup, size, interval))?
+                Choice::Mini(format).scope(|| self.position_based::<Chosen, D>(setup, size, interval))?
             }
         })
     }
