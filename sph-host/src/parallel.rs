@@ -10,6 +10,18 @@ use rayon::prelude::*;
 /// Items that a thread takes at a time in [`fill`].
 const CHUNK: usize = 256;
 
+/// More threads than this help nobody and take long to start.
+const MOST_THREADS: usize = 256;
+
+/// So many threads, or one for each core, each of which begins with `start`.
+pub(crate) fn pool(
+    threads: Option<usize>,
+    start: impl Fn() + Send + Sync + 'static,
+) -> Result<rayon::ThreadPool, String> {
+    let builder = rayon::ThreadPoolBuilder::new().num_threads(threads.map_or(0, |all| all.min(MOST_THREADS)));
+    builder.start_handler(move |_| start()).build().map_err(|error| error.to_string())
+}
+
 /// Calls f(0), f(1) … f(count − 1), in any order and on any thread.
 fn each(count: usize, f: &(dyn Fn(usize) + Sync)) {
     (0..count).into_par_iter().for_each(f);

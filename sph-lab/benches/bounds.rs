@@ -8,6 +8,8 @@ use sph_lab::Format;
 mod bounds;
 #[path = "../tests/shared/double_double.rs"]
 mod double_double;
+#[path = "../tests/shared/random.rs"]
+mod random;
 
 /// Cases of each kernel and dimension.
 const CASES: u64 = 360;

@@ -7,6 +7,11 @@ use sph_core::scalar::fixed::{I16F16, Saturating};
 use sph_core::{CellGrid, CellLayout, Field, KernelInfluence, Scalar, Sources, Uniform};
 use sph_lab::{Blame, Dual, Emulated, Format, Interval, Mini, MiniFormat, Running, Shadow, Tally, watch};
 
+#[path = "../tests/shared/random.rs"]
+mod random;
+
+use random::Random;
+
 /// Particles along an axis of a jittered lattice of spacing 1, in units of h.
 const SIDE: usize = 101;
 /// h over the spacing, for 20 neighbours.
@@ -14,11 +19,8 @@ const REACH: f64 = 2.523;
 
 /// Seconds for the densities and gradients at all particles.
 fn seconds<T: Scalar>() -> f64 {
-    let mut state = 7_u64;
-    let mut jitter = || {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        0.4 * ((state >> 11) as f64 / (1_u64 << 53) as f64 - 0.5)
-    };
+    let mut random = Random(7);
+    let mut jitter = || 0.2 * random.signed();
     let place = |index: usize, jitter: f64| (index as f64 - SIDE as f64 / 2.0 + jitter) / REACH;
     let positions: Vec<[T; 2]> = (0..SIDE * SIDE)
         .map(|n| [T::from_f64(place(n % SIDE, jitter())), T::from_f64(place(n / SIDE, jitter()))])

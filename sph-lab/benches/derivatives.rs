@@ -7,6 +7,8 @@ use sph_core::kernel::{self, Kernel};
 mod derivatives;
 #[path = "../tests/shared/double_double.rs"]
 mod double_double;
+#[path = "../tests/shared/random.rs"]
+mod random;
 
 /// Points of each kernel in each dimension.
 const POINTS: usize = 1_000_000;

@@ -6,6 +6,8 @@ use sph_core::scalar::fixed::*;
 
 #[path = "../tests/equals_compiled/fields.rs"]
 mod fields;
+#[path = "../tests/shared/random.rs"]
+mod random;
 
 /// Points of each comparison.
 const POINTS: usize = 150;

@@ -9,6 +9,8 @@ use sph_lab::{Emulated, Format, Interval, Rounding, Running};
 mod bounds;
 #[path = "shared/double_double.rs"]
 mod double_double;
+#[path = "shared/random.rs"]
+mod random;
 
 use double_double::DoubleDouble;
 

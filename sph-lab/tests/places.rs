@@ -5,16 +5,18 @@ use sph_core::scalar::fixed::{Checked, I4F12, I8F24, I16F16, Saturating};
 use sph_core::{Arithmetic, BruteForce, Field, Influence, KernelInfluence, Scalar, Sources, Uniform};
 use sph_lab::{Blame, Emulated, Format, Operation, Record, Shadow, Tally, blame, watch};
 
+#[path = "shared/random.rs"]
+mod random;
+
+use random::Random;
+
 /// Densities, values and gradients at some particles of a jittered row or plane, h = 0.8.
 fn fields<T: Scalar, K: Kernel, const D: usize>() -> Vec<T> {
-    let mut state = 11_u64;
-    let mut random = || {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (state >> 11) as f64 / (1_u64 << 53) as f64
-    };
-    let positions: Vec<[T; D]> = (0..40).map(|_| [0; D].map(|_| T::from_f64(2.4 * random() - 1.2))).collect();
-    let weights: Vec<T> = (0..40).map(|_| T::from_f64(0.05 + 0.05 * random())).collect();
-    let values: Vec<T> = (0..40).map(|_| T::from_f64(2.0 * random() - 1.0)).collect();
+    let mut random = Random(11);
+    let positions: Vec<[T; D]> =
+        (0..40).map(|_| [0; D].map(|_| T::from_f64(2.4 * random.next() - 1.2))).collect();
+    let weights: Vec<T> = (0..40).map(|_| T::from_f64(0.05 + 0.05 * random.next())).collect();
+    let values: Vec<T> = (0..40).map(|_| T::from_f64(2.0 * random.next() - 1.0)).collect();
     let w = KernelInfluence::<T, D, K>::new(T::ratio(4, 5)).unwrap();
     let sources = Sources::new(BruteForce::open(&positions).unwrap(), &weights[..]).unwrap();
     let field = Field::new(&sources, &values[..]).unwrap();

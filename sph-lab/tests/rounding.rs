@@ -82,6 +82,17 @@ fn stochastic_rounding_is_the_same_for_the_same_seed_and_leaves_exact_results_al
         })
     };
     assert_eq!(many(5), many(5));
+    let interrupted = format(Rounding::Stochastic { seed: 5 }).scope(|| {
+        let x = Emulated::from_f64(0.3);
+        let product = |n: usize| {
+            if n == 50 {
+                many(6);
+            }
+            (x * x).to_bits()
+        };
+        (0..100).map(product).collect::<Vec<_>>()
+    });
+    assert_eq!(interrupted, many(5), "a scope within leaves the chances of the outer one alone");
     assert_ne!(many(5), many(6));
     format(Rounding::Stochastic { seed: 9 }).scope(|| {
         for _ in 0..1000 {

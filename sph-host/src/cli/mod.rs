@@ -11,6 +11,7 @@ mod sample;
 mod sample_messages;
 mod study;
 mod study_words;
+mod support;
 
 use std::io::Write;
 use std::process::ExitCode;

@@ -11,13 +11,14 @@ use super::failure::Failure;
 use super::parse::{self, Bounds, Counts};
 use super::progress::Bar;
 use super::sample_messages::{explain, in_words, unknown_set};
+use super::support::SupportArgs;
 use super::{say, to_stdout};
 use crate::demo;
 use crate::estimate_choice::Estimate;
 use crate::io;
 use crate::kernel_choice::KernelName;
 use crate::output::{self, Target};
-use crate::sample::{self, ParticleSource, Request, SamplePoints, Sampled, SupportFrom};
+use crate::sample::{self, ParticleSource, Request, SamplePoints, Sampled};
 use crate::scalar_choice::ScalarName;
 
 /// Evaluate the fields of a particle set at points, on a grid, or at the particles themselves.
@@ -55,18 +56,8 @@ pub(super) struct SampleArgs {
     #[arg(long)]
     gradient: bool,
 
-    /// The support radius, beyond which the kernel is zero
-    #[arg(long, value_name = "H", value_parser = parse::positive, allow_hyphen_values = true, conflicts_with = "smoothing_length")]
-    support: Option<f64>,
-    /// The smoothing length: the support radius divided by the kernel's support ratio
-    #[arg(long, value_name = "L", value_parser = parse::positive, allow_hyphen_values = true)]
-    smoothing_length: Option<f64>,
-    /// A column with each particle's support radius
-    #[arg(long, value_name = "NAME", conflicts_with = "smoothing_length_column")]
-    support_column: Option<String>,
-    /// A column with each particle's smoothing length
-    #[arg(long, value_name = "NAME")]
-    smoothing_length_column: Option<String>,
+    #[command(flatten)]
+    support: SupportArgs,
 
     /// The sum that stands for a field
     #[arg(long, value_enum, default_value_t = Estimate::Plain)]
@@ -195,15 +186,6 @@ fn request(args: SampleArgs) -> Result<Request, Failure> {
         }
         (None, None) => SamplePoints::AtParticles,
     };
-    // An explicit value wins over a column.
-    let support =
-        match (args.support, args.smoothing_length, args.support_column, args.smoothing_length_column) {
-            (Some(h), ..) => Some(SupportFrom::Radius(h)),
-            (_, Some(length), ..) => Some(SupportFrom::SmoothingLength(length)),
-            (_, _, Some(name), _) => Some(SupportFrom::RadiusColumn(name)),
-            (.., Some(name)) => Some(SupportFrom::SmoothingLengthColumn(name)),
-            _ => None,
-        };
     Ok(Request {
         particles,
         at,
@@ -211,7 +193,7 @@ fn request(args: SampleArgs) -> Result<Request, Failure> {
         dim,
         quantities: args.quantities,
         gradient: args.gradient,
-        support,
+        support: args.support.source(),
         estimate: args.estimate,
         mass: args.mass,
         recompute_density: args.recompute_density,

@@ -11,11 +11,11 @@ use super::progress::Bar;
 use super::sample::{particle_source, sets};
 use super::sample_messages::explain;
 use super::study_words::{Bits, Kernels, bits, goal, kernels, named};
+use super::support::SupportArgs;
 use super::{parse, say, to_stdout};
 use crate::io;
 use crate::output::Target as File;
 use crate::run::CaseName;
-use crate::sample::SupportFrom;
 use crate::study::fluid::{self, FluidRequest};
 use crate::study::{self, Quantity, Request, Study, StudyError, Target, UnitChoice};
 
@@ -50,7 +50,7 @@ pub(super) struct StudyArgs {
     /// How many bits a number may have, 8 to 64
     #[arg(long, value_name = "FROM..TO", value_parser = bits, default_value = "8..32")]
     bits: Bits,
-    /// How results are rounded: nearest, floor, zero, stochastic; the recommendation has the first
+    /// How results are rounded: nearest, floor, zero, stochastic; the recommendation is to nearest, as compiled types are
     #[arg(long, value_name = "ROUNDING,…", value_delimiter = ',', default_value = "nearest", value_parser = named::<Rounding>)]
     round: Vec<Rounding>,
     /// What becomes of results that are out of range: saturating, wrapping, checked; the recommendation has the first
@@ -72,18 +72,8 @@ pub(super) struct StudyArgs {
     #[arg(long, value_enum, default_value_t = UnitChoice::Auto)]
     units: UnitChoice,
 
-    /// The support radius, beyond which the kernel is zero
-    #[arg(long, value_name = "H", value_parser = parse::positive, allow_hyphen_values = true, conflicts_with = "smoothing_length")]
-    support: Option<f64>,
-    /// The smoothing length: the support radius divided by the kernel's support ratio; for one kernel
-    #[arg(long, value_name = "L", value_parser = parse::positive, allow_hyphen_values = true)]
-    smoothing_length: Option<f64>,
-    /// A column with each particle's support radius
-    #[arg(long, value_name = "NAME", conflicts_with = "smoothing_length_column")]
-    support_column: Option<String>,
-    /// A column with each particle's smoothing length; for one kernel
-    #[arg(long, value_name = "NAME")]
-    smoothing_length_column: Option<String>,
+    #[command(flatten)]
+    support: SupportArgs,
     /// The mass of every particle, over a column
     #[arg(long, value_name = "M", value_parser = parse::positive, allow_hyphen_values = true)]
     mass: Option<f64>,
@@ -160,10 +150,8 @@ fn run_fluid(case: CaseName, args: &StudyArgs) -> Result<(), Failure> {
         fluid::run(&FluidRequest { frames, starts, threads, roundings, ..usual }, &bar).map_err(failure)?;
     to_stdout(std::io::stdout().write_all(study.to_string().as_bytes()))?;
     if let Some(directory) = &args.out {
-        let failed = |error: std::io::Error| Failure::input(format!("{}: {error}", directory.display()));
-        std::fs::create_dir_all(directory).map_err(failed)?;
-        let file = File { path: directory.join("study.json"), force: true };
-        file.create(|file| writeln!(file, "{:#}", study.json()))?;
+        prepare(directory, &[])?;
+        file(directory, "study.json").create(|file| writeln!(file, "{:#}", study.json()))?;
     }
     match study.recommended() {
         Some(_) => Ok(()),
@@ -174,19 +162,11 @@ fn run_fluid(case: CaseName, args: &StudyArgs) -> Result<(), Failure> {
 fn request(args: StudyArgs) -> Result<Request, Failure> {
     let Kernels(kernels) = args.kernel;
     let is_one = kernels.len() == 1;
-    if !is_one && (args.smoothing_length.is_some() || args.smoothing_length_column.is_some()) {
+    if !is_one && args.support.needs_kernel() {
         return Err(Failure::usage(
             "a smoothing length means another support radius for each kernel: choose one --kernel, or give --support",
         ));
     }
-    let support =
-        match (args.support, args.smoothing_length, args.support_column, args.smoothing_length_column) {
-            (Some(h), ..) => Some(SupportFrom::Radius(h)),
-            (_, Some(length), ..) => Some(SupportFrom::SmoothingLength(length)),
-            (_, _, Some(name), _) => Some(SupportFrom::RadiusColumn(name)),
-            (.., Some(name)) => Some(SupportFrom::SmoothingLengthColumn(name)),
-            _ => None,
-        };
     let (asked, fields): (Vec<_>, Vec<_>) =
         args.quantities.into_iter().partition(|name| Quantity::of_name(name).is_some());
     let asked: Vec<Quantity> = asked.iter().filter_map(|name| Quantity::of_name(name)).collect();
@@ -202,7 +182,7 @@ fn request(args: StudyArgs) -> Result<Request, Failure> {
     let goals = goals.map(|&quantity| (quantity, wanted(quantity).unwrap_or(quantity.usual_goal())));
     let Bits(bits) = args.bits;
     Ok(Request {
-        support,
+        support: args.support.source(),
         mass: args.mass,
         dim: args.dim.map(usize::from),
         fields,
@@ -257,26 +237,31 @@ fn check_free(directory: &Path, force: bool) -> Result<(), Failure> {
     }
 }
 
-/// Writes the files of a study; those of an earlier one that this one has not are removed.
-fn write(study: &Study, directory: &Path) -> Result<(), Failure> {
+/// Makes the directory, and removes the files of an earlier study but these, which are to be replaced.
+fn prepare(directory: &Path, replaced: &[&str]) -> Result<(), Failure> {
     let failed = |error: std::io::Error| Failure::input(format!("{}: {error}", directory.display()));
     std::fs::create_dir_all(directory).map_err(failed)?;
-    let file = |name: &str| File { path: directory.join(name), force: true };
+    let stale = FILES.iter().filter(|name| !replaced.contains(name)).map(|name| directory.join(name));
+    stale.filter(|path| path.exists()).try_for_each(std::fs::remove_file).map_err(failed)
+}
+
+/// A file of a study; whether an earlier one may be replaced is settled before.
+fn file(directory: &Path, name: &str) -> File {
+    File { path: directory.join(name), force: true }
+}
+
+/// Writes the files of a study.
+fn write(study: &Study, directory: &Path) -> Result<(), Failure> {
     let pictures = study.pictures().map_err(|error| Failure::input(error.to_string()))?;
-    for name in
-        FILES.iter().filter(|name| name.ends_with(".png") && pictures.iter().all(|(own, _)| own != *name))
-    {
-        let path = directory.join(name);
-        if path.exists() {
-            std::fs::remove_file(&path).map_err(failed)?;
-        }
-    }
-    file("study.csv").create(|file| study.write_csv(file))?;
+    let names: Vec<&str> =
+        pictures.iter().map(|(name, _)| *name).chain(["study.csv", "study.json"]).collect();
+    prepare(directory, &names)?;
+    file(directory, "study.csv").create(|file| study.write_csv(file))?;
     for (name, image) in &pictures {
-        file(name).create(|file| image.write_png(file))?;
+        file(directory, name).create(|file| image.write_png(file))?;
     }
     // the last to come: where it is, all others are
-    file("study.json").create(|file| writeln!(file, "{:#}", study.json()))?;
+    file(directory, "study.json").create(|file| writeln!(file, "{:#}", study.json()))?;
     say(&format!("study.csv, study.json and {} pictures are in {}", pictures.len(), directory.display()));
     Ok(())
 }
@@ -295,9 +280,6 @@ fn failure(error: StudyError) -> Failure {
     match error {
         StudyError::Particles(error) => explain(error),
         StudyError::SingularKernel { .. } => Failure::usage(format!("{error}; choose another --kernel")),
-        StudyError::NoMass { .. } => {
-            Failure::input(format!("{error}: neither a column `m` or `mass` nor --mass"))
-        }
         StudyError::NoFormat { .. } => {
             Failure::input(format!("{error}; allow more --bits, or leave out --units file"))
         }

@@ -68,6 +68,14 @@ impl<T: Compact, const D: usize> PositionBased<T, D> {
         self.dt
     }
 
+    /// Positions in m and velocities in m/s.
+    pub(crate) fn motion(&self) -> (Vec<[f64; D]>, Vec<[f64; D]>) {
+        let speed = self.unit / self.dt;
+        let positions = self.particles.iter().map(|p| p.position().map(|x| x.to_f64() * self.unit));
+        let velocities = self.particles.iter().map(|p| p.velocity().map(|v| v.to_f64() * speed));
+        (positions.collect(), velocities.collect())
+    }
+
     fn particle(&self, position: &[f64; D], velocity: &[f64; D], pressure: f64) -> Particle<T, D> {
         let position = position.map(|x| T::from_f64(x / self.unit));
         let velocity = velocity.map(|v| T::from_f64(v / (self.unit / self.dt)));
@@ -124,12 +132,12 @@ impl<T: Compact, const D: usize> Simulate<D> for PositionBased<T, D> {
     }
 
     fn snapshot(&self) -> Snapshot<D> {
-        let speed = self.unit / self.dt;
+        let (positions, velocities) = self.motion();
         let densities = self.densities().unwrap_or_else(|| vec![f64::NAN; self.particles.len()]);
         Snapshot {
             time: self.steps as f64 * self.dt,
-            positions: self.particles.iter().map(|p| p.position().map(|x| x.to_f64() * self.unit)).collect(),
-            velocities: self.particles.iter().map(|p| p.velocity().map(|v| v.to_f64() * speed)).collect(),
+            positions,
+            velocities,
             densities: densities.iter().map(|density| density * self.rest_density).collect(),
             pressures: self.particles.iter().map(|p| p.pressure().to_f64()).collect(),
         }

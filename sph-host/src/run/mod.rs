@@ -50,6 +50,7 @@ pub use summary::Summary;
 use std::time::Instant;
 
 use crate::engine::Setup;
+use crate::parallel;
 use crate::progress::Progress;
 use case_run::CaseRun;
 use definition::Form;
@@ -103,9 +104,8 @@ fn start(
     let parameters = options.parameters()?;
     let threads = options.threads;
     let scalar = parameters.scalar;
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.unwrap_or(0));
-    let pool = pool.start_handler(move |_| scalar.enter()).build();
-    let pool = pool.map_err(|error| Error::Threads { threads, reason: error.to_string() })?;
+    let pool = parallel::pool(threads, move || scalar.enter())
+        .map_err(|reason| Error::Threads { threads, reason })?;
     let definition = parameters.case.definition();
     pool.install(|| match (&definition.in_2d, &definition.in_3d) {
         (_, Some(form)) if parameters.dim == 3 => simulate_form(form, &parameters, destination, progress),

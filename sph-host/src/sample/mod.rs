@@ -65,10 +65,12 @@ pub(crate) use particle_set::ParticleSet;
 pub use request::{ParticleSource, Request, SamplePoints, SupportFrom};
 pub(crate) use significant::Significant;
 pub use units::Units;
+pub(crate) use units::cells;
 
 use std::time::Instant;
 
 use crate::output::Table;
+use crate::parallel;
 use crate::progress::Progress;
 use evaluate::{Counts, Evaluated};
 use plan::Plan;
@@ -101,9 +103,6 @@ pub struct Sampled {
     pub timing: Timing,
 }
 
-/// More threads than this help nobody and take long to start.
-const MOST_THREADS: usize = 256;
-
 /// Evaluates a request.
 ///
 /// # Errors
@@ -118,14 +117,8 @@ pub fn run(request: &Request, progress: &dyn Progress) -> Result<Sampled, Sample
     let read = start.elapsed().as_secs_f64();
 
     progress.begin(points.len() as u64, 0);
-    let pool = rayon::ThreadPoolBuilder::new()
-        .num_threads(request.threads.map_or(0, |threads| threads.min(MOST_THREADS)))
-        .start_handler({
-            let scalar = request.scalar;
-            move |_| scalar.enter()
-        })
-        .build()
-        .map_err(|error| SampleError::Threads(error.to_string()))?;
+    let scalar = request.scalar;
+    let pool = parallel::pool(request.threads, move || scalar.enter()).map_err(SampleError::Threads)?;
     let done = pool.install(|| evaluate::evaluate(&plan, &mut checked.particles, &points, progress))?;
     progress.end();
 

@@ -113,7 +113,7 @@ pub(super) fn is_float<T: Scalar>() -> bool {
 }
 
 /// Cells about as wide as the largest h over boxes, at most some four a particle.
-fn cells(boxes: &[(f64, f64)], reach: f64, count: usize) -> Vec<u32> {
+pub(crate) fn cells(boxes: &[(f64, f64)], reach: f64, count: usize) -> Vec<u32> {
     let most = (4.0 * count as f64).powf(1.0 / boxes.len() as f64).ceil().clamp(1.0, 1e6);
     boxes.iter().map(|(lower, upper)| ((upper - lower) / reach).floor().clamp(1.0, most) as u32).collect()
 }

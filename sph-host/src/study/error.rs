@@ -4,7 +4,6 @@ use thiserror::Error;
 
 use super::request::Quantity;
 use crate::kernel_choice::KernelName;
-use crate::output::WriteError;
 use crate::run::CaseName;
 use crate::sample::SampleError;
 
@@ -15,12 +14,6 @@ pub enum StudyError {
     /// The particles cannot be read, or are not what they should be.
     #[error(transparent)]
     Particles(#[from] SampleError),
-    /// Neither a mass for all nor a column of masses.
-    #[error("{file}: there is no mass")]
-    NoMass {
-        /// The particles' file.
-        file: String,
-    },
     /// A density for which there is no volume m / ρ.
     #[error(
         "{file}: particle {particle} has the density {density}: expected one whose volume m/ρ a number holds"
@@ -98,7 +91,4 @@ pub enum StudyError {
     /// Threads cannot be started.
     #[error("cannot start threads: {0}")]
     Threads(String),
-    /// A result cannot be written.
-    #[error(transparent)]
-    Write(#[from] WriteError),
 }

@@ -3,7 +3,7 @@
 use sph_lab::{Choice, Chosen, Format, Log, Rounding};
 
 use super::formats::{LEAST_FRACTION, NumberFormat};
-use super::measure::{Converted, Deviation, measure};
+use super::measure::{Converted, Deviation, measure, name_of};
 use super::recommend::Recommendation;
 use super::request::{Quantity, Request};
 use super::set::{Patch, Set};
@@ -11,9 +11,6 @@ use super::sweep::{Prepared, Row, Trial, deviations, scales, shortfall, sums};
 use super::units::{SUPPORTS, Units};
 use crate::kernel_choice::KernelName;
 use crate::parallel;
-
-/// Where the particles' numbers become numbers of the format.
-const INPUT: &str = "study/measure.rs";
 
 /// A place of the source, and what rounding there alone does.
 #[derive(Clone, Debug, PartialEq)]
@@ -179,9 +176,7 @@ fn blamed<const D: usize>(
     let mut places: Vec<(f64, BlamedPlace)> = places
         .filter_map(|one| {
             let (alone, without) = one.alone.zip(one.without)?;
-            let is_input = one.place.file().ends_with(INPUT);
-            let place =
-                if is_input { String::from("the particles' own numbers") } else { one.place.to_string() };
+            let place = name_of(&one.place);
             let alone_short = shortfall(&alone, &request.goals);
             Some((alone_short, BlamedPlace { place, alone: largest(alone), without: largest(without) }))
         })

@@ -16,6 +16,15 @@ pub(super) struct Measured {
     lengths: [usize; 3],
 }
 
+/// The name of a place for people: the lines of this file are where the particles' numbers become numbers of the format.
+pub(super) fn name_of(place: &sph_lab::Place) -> String {
+    if file!().ends_with(place.file()) {
+        String::from("the particles' own numbers")
+    } else {
+        place.to_string()
+    }
+}
+
 /// Why a format holds no sums of these particles.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Refusal {
@@ -171,20 +180,26 @@ impl Measured {
 
     /// How far these numbers are from the truth, relative to `scale`.
     pub(super) fn deviation(&self, truth: &Self, quantity: Quantity, scale: f64) -> Deviation {
-        self.deviation_of(truth, quantity, scale, |_| true)
+        self.deviation_from(truth, 0, quantity, scale, |_| true)
     }
 
-    /// The same for some of the vectors, by their number.
-    pub(super) fn deviation_of(
+    /// The same for some of the points, by their number, where the truth has `first` points before these.
+    pub(super) fn deviation_from(
         &self,
         truth: &Self,
+        first: usize,
         quantity: Quantity,
         scale: f64,
         is_wanted: impl Fn(usize) -> bool,
     ) -> Deviation {
+        // densities have one number a point, others one or more for each field
+        let each = (self.numbers[quantity.index()].len() / self.lengths[quantity.index()].max(1))
+            .checked_div(self.numbers[0].len())
+            .unwrap_or(1)
+            .max(1);
         let (mut largest, mut squares, mut sum, mut count) = (0.0_f64, 0.0, 0.0, 0.0);
-        let pairs = self.vectors(quantity).zip(truth.vectors(quantity)).enumerate();
-        for (_, (own, truth)) in pairs.filter(|(number, _)| is_wanted(*number)) {
+        let pairs = self.vectors(quantity).zip(truth.vectors(quantity).skip(first * each)).enumerate();
+        for (_, (own, truth)) in pairs.filter(|(number, _)| is_wanted(number / each)) {
             let difference: Vec<f64> = own.iter().zip(truth).map(|(a, b)| a - b).collect();
             let distance = length(&difference);
             largest = if distance.is_nan() { f64::INFINITY } else { largest.max(distance) };

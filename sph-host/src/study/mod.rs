@@ -67,8 +67,6 @@ use sweep::{Prepared, Trial};
 const TRIAL_POINTS: usize = 256;
 /// Particles at which every operation is watched, at most.
 const WATCHED_POINTS: usize = 32;
-/// More threads than this help nobody and take long to start.
-const MOST_THREADS: usize = 256;
 
 /// What was found.
 #[derive(Clone, Debug, PartialEq)]
@@ -156,10 +154,7 @@ pub fn run(request: &Request, progress: &dyn Progress) -> Result<Study, StudyErr
     if request.fields.is_empty() {
         read.fields.truncate(1);
     }
-    let pool = rayon::ThreadPoolBuilder::new()
-        .num_threads(request.threads.map_or(0, |threads| threads.min(MOST_THREADS)))
-        .build()
-        .map_err(|error| StudyError::Threads(error.to_string()))?;
+    let pool = parallel::pool(request.threads, || ()).map_err(StudyError::Threads)?;
     pool.install(|| match read.coordinates.len() {
         1 => in_dimensions::<1>(read, request, progress),
         2 => in_dimensions::<2>(read, request, progress),

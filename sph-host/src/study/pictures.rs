@@ -3,6 +3,7 @@
 use sph_lab::Rounding;
 
 use super::formats::NumberFormat;
+use super::measure::name_of;
 use super::request::Quantity;
 use super::{Insight, Row, Study};
 use crate::kernel_choice::KernelName;
@@ -200,7 +201,7 @@ impl Insight {
         records.truncate(MOST_PLACES);
         records.sort_by(|a, b| b.largest().total_cmp(&a.largest()));
         let rows = records.into_iter().map(|record| spectrum::Row {
-            label: record.place.to_string(),
+            label: name_of(&record.place),
             counts: record.exponents().collect(),
         });
         let (lowest, highest) =

@@ -1,6 +1,6 @@
 //! The format to take: the fewest bits that meet the goals at every particle.
 
-use sph_lab::Format;
+use sph_lab::{Format, Rounding};
 
 use super::costs::{self, Instructions};
 use super::error::StudyError;
@@ -8,7 +8,7 @@ use super::formats::{LEAST_FRACTION, NumberFormat};
 use super::measure::{Deviation, Measured, measure};
 use super::request::{Quantity, Request};
 use super::set::{Patch, Set, spread};
-use super::sweep::{Prepared, Row, deviations, scales, shortfall};
+use super::sweep::{Prepared, Row, deviations, scales};
 use crate::kernel_choice::KernelName;
 use crate::parallel;
 
@@ -48,63 +48,68 @@ pub struct Recommendation {
     pub instructions: Option<Instructions>,
 }
 
-/// The numbers of a format at every particle, and the truth.
-struct Whole {
+/// What a kernel gives in f64 at every particle.
+struct Truth<'a, const D: usize> {
+    set: &'a Set<D>,
+    prepared: &'a Prepared<D>,
     measured: Measured,
-    truth: Measured,
+    /// The largest of each quantity.
+    scales: [f64; 3],
 }
 
-/// Measures a format at every particle, piece by piece; `None` where it misses the goals by so much that it is not worth while to
-/// go on, which `is_hopeless` tells of a piece.
-fn whole<const D: usize>(
+/// The numbers of every particle, measured piece by piece; `None` where a piece is refused, or `is_enough` says of it that no more
+/// are wanted.
+fn measured<const D: usize>(
     set: &Set<D>,
-    prepared: &Prepared<D>,
-    format: Format,
-    is_hopeless: impl Fn(&[Deviation; 3]) -> bool,
-) -> Result<Option<Whole>, StudyError> {
+    measure: impl Fn(&Patch<D>) -> Option<Measured> + Sync,
+    is_enough: impl Fn(&Measured, usize) -> bool,
+) -> Result<Option<Measured>, StudyError> {
     let points = spread(set.positions.len(), set.positions.len());
-    let mut all = Whole { measured: Measured::default(), truth: Measured::default() };
-    for some in points.chunks(PIECE * PIECES) {
-        let pieces = parallel::map(some.chunks(PIECE), |_, points| piece(set, prepared, format, points));
-        for piece in pieces {
-            let Some(mut piece) = piece? else { return Ok(None) };
-            if is_hopeless(&piece.errors()) {
-                return Ok(None);
+    let mut all = Measured::default();
+    for (number, some) in points.chunks(PIECE * PIECES).enumerate() {
+        let pieces = parallel::map(some.chunks(PIECE), |_, points| Ok(measure(&set.around(points)?)));
+        for (piece, found) in pieces.into_iter().enumerate() {
+            let found: Result<Option<Measured>, StudyError> = found;
+            let first = (number * PIECES + piece) * PIECE;
+            match found? {
+                Some(mut found) if !is_enough(&found, first) => all.append(&mut found),
+                _ => return Ok(None),
             }
-            all.measured.append(&mut piece.measured);
-            all.truth.append(&mut piece.truth);
         }
     }
     Ok(Some(all))
 }
 
-/// Measures a format at some particles; `None` where it refuses them.
-fn piece<const D: usize>(
-    set: &Set<D>,
-    prepared: &Prepared<D>,
-    format: Format,
-    points: &[usize],
-) -> Result<Option<Whole>, StudyError> {
-    let patch = set.around(points)?;
-    let (kernel, units) = (prepared.kernel, &prepared.units);
-    let measured = NumberFormat::Fixed(format).measure(&patch, kernel, units).ok();
-    let truth = measure::<f64, D>(&patch, kernel, units).ok();
-    Ok(measured.zip(truth).map(|(measured, truth)| Whole { measured, truth }))
-}
+impl<'a, const D: usize> Truth<'a, D> {
+    fn new(set: &'a Set<D>, prepared: &'a Prepared<D>) -> Result<Option<Self>, StudyError> {
+        let in_f64 = |patch: &Patch<D>| measure::<f64, D>(patch, prepared.kernel, &prepared.units).ok();
+        let found = measured(set, in_f64, |_, _| false)?;
+        Ok(found.map(|measured| Self { set, prepared, scales: scales(&measured), measured }))
+    }
 
-impl Whole {
-    fn errors(&self) -> [Deviation; 3] {
-        deviations(&self.measured, &self.truth, &scales(&self.truth))
+    /// The numbers of a format at every particle; `None` as soon as one misses a goal.
+    fn meets(&self, format: Format, request: &Request) -> Result<Option<Measured>, StudyError> {
+        let Prepared { kernel, units, .. } = self.prepared;
+        let in_format = |patch: &Patch<D>| NumberFormat::Fixed(format).measure(patch, *kernel, units).ok();
+        measured(self.set, in_format, |piece, first| {
+            request.goals.iter().any(|&(quantity, goal)| {
+                let scale = self.scales[quantity.index()];
+                piece.deviation_from(&self.measured, first, quantity, scale, |_| true).largest > goal
+            })
+        })
+    }
+
+    fn errors(&self, found: &Measured) -> [Deviation; 3] {
+        deviations(found, &self.measured, &self.scales)
     }
 
     /// The standard deviation over parts of the points of the largest error in each.
-    fn spread(&self) -> [f64; 3] {
-        let scales = scales(&self.truth);
-        [Quantity::Density, Quantity::Interpolation, Quantity::Gradient].map(|quantity| {
+    fn spread(&self, found: &Measured) -> [f64; 3] {
+        Quantity::each(|quantity| {
             let largest = |part: usize| {
-                let scale = scales[quantity.index()];
+                let scale = self.scales[quantity.index()];
                 let is_wanted = |number: usize| number % PARTS == part;
-                self.measured.deviation_of(&self.truth, quantity, scale, is_wanted).largest
+                found.deviation_from(&self.measured, 0, quantity, scale, is_wanted).largest
             };
             let errors: Vec<f64> = (0..PARTS).map(largest).collect();
             let mean = errors.iter().sum::<f64>() / PARTS as f64;
@@ -124,7 +129,7 @@ fn candidates<'a, const D: usize>(
         let formats = rows.iter().filter(|row| row.kernel == prepared.kernel);
         let meeting = formats.filter(|row| row.shortfall(&request.goals) <= 1.0);
         let least = meeting.filter_map(|row| match row.format {
-            NumberFormat::Fixed(format) if is_first_mode(format, request) => Some((format, row)),
+            NumberFormat::Fixed(format) if is_recommendable(format, request) => Some((format, row)),
             _ => None,
         });
         let Some((format, row)) = least.min_by_key(|(format, _)| format.bits()) else { continue };
@@ -136,10 +141,9 @@ fn candidates<'a, const D: usize>(
     found.into_iter().map(|(.., prepared, format)| (prepared, format)).collect()
 }
 
-/// Whether a format rounds and overflows as a recommendation does.
-pub(super) fn is_first_mode(format: Format, request: &Request) -> bool {
-    request.roundings.first() == Some(&format.rounding())
-        && request.overflows.first() == Some(&format.overflow())
+/// Whether a format rounds as compiled types do and overflows as the first that was asked for.
+fn is_recommendable(format: Format, request: &Request) -> bool {
+    format.rounding() == Rounding::Nearest && request.overflows.first() == Some(&format.overflow())
 }
 
 /// The recommendation; none where no format of the bits that were allowed meets the goals.
@@ -151,42 +155,45 @@ pub(super) fn recommend<'a, const D: usize>(
     request: &Request,
 ) -> Result<Option<(&'a Prepared<D>, Recommendation)>, StudyError> {
     for (prepared, format) in candidates(kernels, rows, request) {
-        if let Some((fewest, found)) = fewest(set, prepared, format, request)? {
-            return Ok(Some((prepared, describe(set, patch, prepared, fewest, &found, request))));
+        let Some(truth) = Truth::new(set, prepared)? else { continue };
+        if let Some((fewest, found)) = fewest(&truth, format, request)? {
+            return Ok(Some((prepared, describe(&truth, patch, fewest, &found, request))));
         }
     }
     Ok(None)
 }
 
+/// A format of so many bits with the modes of another.
+fn with_modes(integer_bits: u32, fraction_bits: u32, modes: Format) -> Option<Format> {
+    let format = Format::new(integer_bits, fraction_bits).ok()?;
+    Some(format.with_rounding(modes.rounding()).with_overflow(modes.overflow()))
+}
+
 /// A format of so many fraction bits with the modes of another; its integer bits are the rest of the narrowest word.
 fn in_word(integer_bits: u32, fraction_bits: u32, modes: Format) -> Option<Format> {
     let word = costs::word(integer_bits + fraction_bits)?;
-    let format = Format::new(word - fraction_bits, fraction_bits).ok()?;
-    Some(format.with_rounding(modes.rounding()).with_overflow(modes.overflow()))
+    with_modes(word - fraction_bits, fraction_bits, modes)
 }
 
 /// The fewest fraction bits that meet the goals at every particle, beginning with those that meet them at some.
 fn fewest<const D: usize>(
-    set: &Set<D>,
-    prepared: &Prepared<D>,
+    truth: &Truth<'_, D>,
     first: Format,
     request: &Request,
-) -> Result<Option<(Format, Whole)>, StudyError> {
+) -> Result<Option<(Format, Measured)>, StudyError> {
     let integer = first.integer_bits();
-    let is_good = |errors: &[Deviation; 3]| shortfall(errors, &request.goals) <= 1.0;
-    // of a piece: all of them may have a larger scale, but not twice as large for most sets
-    let is_hopeless = |errors: &[Deviation; 3]| shortfall(errors, &request.goals) > 4.0;
-    let measured = |fraction: u32| -> Result<Option<Whole>, StudyError> {
-        let is_allowed = integer + fraction <= *request.bits.end();
-        let Some(format) = in_word(integer, fraction, first).filter(|_| is_allowed) else { return Ok(None) };
-        Ok(whole(set, prepared, format, is_hopeless)?.filter(|found| is_good(&found.errors())))
+    let most = request.bits.end().saturating_sub(integer);
+    let measured = |fraction: u32| match in_word(integer, fraction, first) {
+        Some(format) => truth.meets(format, request),
+        None => Ok(None),
     };
     let mut best = None;
-    let mut fraction = first.fraction_bits();
     // upwards until the goals are met, then downwards as long as they are
-    while best.is_none() && integer + fraction <= *request.bits.end() {
+    for fraction in first.fraction_bits()..=most {
         best = measured(fraction)?.map(|found| (fraction, found));
-        fraction += 1;
+        if best.is_some() {
+            break;
+        }
     }
     while let Some((fraction, _)) = best.as_ref().filter(|(fraction, _)| *fraction > LEAST_FRACTION) {
         let fraction = fraction - 1;
@@ -195,28 +202,22 @@ fn fewest<const D: usize>(
             None => break,
         }
     }
-    let with = |fraction: u32| {
-        let format = Format::new(integer, fraction).ok()?;
-        Some(format.with_rounding(first.rounding()).with_overflow(first.overflow()))
-    };
-    Ok(best.and_then(|(fraction, found)| Some((with(fraction)?, found))))
+    Ok(best.and_then(|(fraction, found)| Some((with_modes(integer, fraction, first)?, found))))
 }
 
 fn describe<const D: usize>(
-    set: &Set<D>,
+    truth: &Truth<'_, D>,
     patch: &Patch<D>,
-    prepared: &Prepared<D>,
     fewest: Format,
-    found: &Whole,
+    found: &Measured,
     request: &Request,
 ) -> Recommendation {
+    let (set, prepared) = (truth.set, truth.prepared);
     let word = costs::word(fewest.bits()).unwrap_or(fewest.bits());
     let format = in_word(fewest.integer_bits(), fewest.fraction_bits(), fewest).unwrap_or(fewest);
-    let finest = Format::new(fewest.integer_bits(), word - fewest.integer_bits()).unwrap_or(fewest);
-    let finest = finest.with_rounding(fewest.rounding()).with_overflow(fewest.overflow());
-    let finest_errors = prepared.errors(patch, NumberFormat::Fixed(finest)).unwrap_or(found.errors());
+    let finest = with_modes(fewest.integer_bits(), word - fewest.integer_bits(), fewest).unwrap_or(fewest);
+    let finest_errors = prepared.errors(patch, NumberFormat::Fixed(finest)).unwrap_or(truth.errors(found));
     let units = &prepared.units;
-    let has_masses = set.masses.iter().any(|mass| *mass != set.masses[0]);
     let names = set.fields.iter().map(|(name, _)| name.clone());
     Recommendation {
         kernel: prepared.kernel,
@@ -226,10 +227,10 @@ fn describe<const D: usize>(
         mass: units.mass,
         values: names.zip(units.values.iter().copied()).collect(),
         origin: units.origin.to_vec(),
-        errors: found.errors(),
-        spread: found.spread(),
+        errors: truth.errors(found),
+        spread: truth.spread(found),
         finest: (finest, finest_errors),
-        bytes: costs::bytes(word, D, set.fields.len(), has_masses),
+        bytes: set.bytes(word),
         instructions: Instructions::of(request.target, prepared.kernel, word),
     }
 }

@@ -4,6 +4,7 @@ use std::fmt::{Display, Formatter};
 
 use sph_lab::Format;
 
+use super::measure::name_of;
 use super::recommend::Recommendation;
 use super::request::Quantity;
 use super::{Insight, Study};
@@ -98,8 +99,9 @@ impl Study {
         line(
             f,
             "",
-            &format!("const LENGTH: f64 = {:?}; // a coordinate is (x - origin) / LENGTH", found.length),
+            &format!("const LENGTH: f64 = {:?}; // a coordinate is (x - ORIGIN) / LENGTH", found.length),
         )?;
+        line(f, "", &format!("const ORIGIN: [f64; {}] = {:?};", found.origin.len(), found.origin))?;
         line(f, "", &format!("const MASS: f64 = {:?};", found.mass))
     }
 }
@@ -110,12 +112,10 @@ impl Insight {
         let widest = self.log.places().iter().filter(|record| record.saturated == 0);
         let widest = widest.max_by(|a, b| a.largest().total_cmp(&b.largest()));
         let widest = widest.map_or_else(String::new, |record| {
-            let place = &record.place;
             format!(
-                "widest value {:.3} of {end} at {}:{}; ",
+                "widest value {:.3} of {end}: {}; ",
                 Significant(record.largest()),
-                place.file(),
-                place.line()
+                name_of(&record.place)
             )
         });
         let all = self.log.saturations();

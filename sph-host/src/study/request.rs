@@ -28,6 +28,11 @@ impl Quantity {
         }
     }
 
+    /// One thing for each quantity, in the order of [`Quantity::ALL`].
+    pub(super) fn each<R>(of: impl Fn(Self) -> R) -> [R; 3] {
+        [of(Self::Density), of(Self::Interpolation), of(Self::Gradient)]
+    }
+
     /// Its place in [`Quantity::ALL`].
     pub(super) fn index(self) -> usize {
         self as usize
@@ -61,7 +66,7 @@ pub struct Request {
     pub goals: Vec<(Quantity, f64)>,
     /// How many bits a number may have.
     pub bits: RangeInclusive<u32>,
-    /// How results are rounded, that of the recommendation first.
+    /// How results are rounded. To nearest is always among them: the recommendation is rounded so, as compiled types are.
     pub roundings: Vec<Rounding>,
     /// What becomes of results that are out of range, that of the recommendation first.
     pub overflows: Vec<Overflow>,

@@ -2,10 +2,11 @@
 
 use sph_core::{CellGrid, CellLayout, Neighbours, Sources};
 
+use super::costs;
 use super::error::StudyError;
 use crate::kernel_choice::{AnyInfluence, Influences, KernelName};
 use crate::parallel;
-use crate::sample::ParticleSet;
+use crate::sample::{ParticleSet, SampleError, cells};
 
 /// How much farther than h particles count as near, in h: rounding moves them by less.
 pub(super) const REACH: f64 = 1.25;
@@ -43,7 +44,7 @@ impl<const D: usize> Set<D> {
         let along: [&[f64]; D] = std::array::from_fn(|axis| &read.coordinates[axis][..]);
         let count = along[0].len();
         let positions: Vec<[f64; D]> = (0..count).map(|j| along.map(|axis| axis[j])).collect();
-        let masses = read.masses.ok_or_else(|| StudyError::NoMass { file: read.file.clone() })?;
+        let masses = read.masses.ok_or_else(|| SampleError::NoMass { file: read.file.clone() })?;
         let mut fields = read.fields;
         if fields.is_empty() {
             fields.push((String::from("1"), vec![1.0; count]));
@@ -71,6 +72,12 @@ impl<const D: usize> Set<D> {
         Self { positions, ..Self::default() }
     }
 
+    /// Bytes of a particle in numbers of so many bits.
+    pub(super) fn bytes(&self, bits: u32) -> u32 {
+        let has_masses = self.masses.iter().any(|mass| *mass != self.masses[0]);
+        costs::bytes(bits, D, self.fields.len(), has_masses)
+    }
+
     /// h of particle j.
     pub(super) fn support(&self, j: usize) -> f64 {
         self.supports[if self.supports.len() == 1 { 0 } else { j }]
@@ -94,13 +101,13 @@ impl<const D: usize> Set<D> {
 
     fn layout(&self) -> Result<CellLayout<f64, D>, StudyError> {
         let ([lower, mut upper], reach) = (self.corners(), self.reach());
-        let most = (4.0 * self.positions.len() as f64).powf(1.0 / D as f64).ceil().clamp(1.0, 1e6);
+        let boxes: [(f64, f64); D] = std::array::from_fn(|axis| (lower[axis], upper[axis]));
+        let counts = cells(&boxes, reach, self.positions.len());
         let cells = std::array::from_fn(|axis| {
-            let extent = upper[axis] - lower[axis];
-            if extent == 0.0 {
+            if upper[axis] == lower[axis] {
                 upper[axis] += reach;
             }
-            (extent / reach).floor().clamp(1.0, most) as u32
+            counts[axis]
         });
         CellLayout::bounded(&lower, &upper, cells).map_err(|error| self.failed(error))
     }

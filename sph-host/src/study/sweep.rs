@@ -125,13 +125,12 @@ impl<const D: usize> Prepared<D> {
 
 /// The largest of each quantity.
 pub(super) fn scales(truth: &Measured) -> [f64; 3] {
-    [Quantity::Density, Quantity::Interpolation, Quantity::Gradient].map(|quantity| truth.largest(quantity))
+    Quantity::each(|quantity| truth.largest(quantity))
 }
 
 /// The errors of each quantity.
 pub(super) fn deviations(measured: &Measured, truth: &Measured, scales: &[f64; 3]) -> [Deviation; 3] {
-    [Quantity::Density, Quantity::Interpolation, Quantity::Gradient]
-        .map(|quantity| measured.deviation(truth, quantity, scales[quantity.index()]))
+    Quantity::each(|quantity| measured.deviation(truth, quantity, scales[quantity.index()]))
 }
 
 /// The kernel in the units that were asked for; of the proposed ones those with the least error at a middling number of bits.
@@ -197,9 +196,11 @@ pub(super) fn sweep<const D: usize>(
     request: &Request,
     progress: &dyn Progress,
 ) -> Vec<Row> {
+    let others = request.roundings.iter().copied().filter(|rounding| *rounding != Rounding::Nearest);
+    let roundings: &Vec<Rounding> = &std::iter::once(Rounding::Nearest).chain(others).collect();
     let jobs = kernels.iter().flat_map(|prepared| {
         let fixed = request.overflows.iter().flat_map(move |&overflow| {
-            request.roundings.iter().flat_map(move |&rounding| {
+            roundings.iter().flat_map(move |&rounding| {
                 request.bits.clone().filter_map(move |bits| {
                     let format = prepared.format(bits, request)?;
                     Some(NumberFormat::Fixed(format.with_rounding(rounding).with_overflow(overflow)))
@@ -223,7 +224,6 @@ pub(super) fn sweep<const D: usize>(
 fn row<const D: usize>(trial: &Trial<'_, D>, job: &Job<'_, D>, request: &Request) -> Row {
     let (prepared, format) = (job.prepared, job.format);
     let set = &trial.patch.set;
-    let has_masses = set.masses.iter().any(|mass| *mass != set.masses[0]);
     let is_as_counted = matches!(format, NumberFormat::Fixed(format)
         if format.rounding() == Rounding::Nearest && format.overflow() == Overflow::Saturating);
     let word = costs::word(format.bits()).filter(|_| is_as_counted);
@@ -232,7 +232,7 @@ fn row<const D: usize>(trial: &Trial<'_, D>, job: &Job<'_, D>, request: &Request
         format,
         errors: prepared.errors(trial.patch, format),
         saturations: saturations(trial.watched, prepared, format),
-        bytes: costs::bytes(format.bits(), D, set.fields.len(), has_masses),
+        bytes: set.bytes(format.bits()),
         instructions: word.and_then(|word| Instructions::of(request.target, prepared.kernel, word)),
     }
 }

@@ -210,13 +210,14 @@ impl Format {
     ///
     /// Numbers do not remember their format: those of one scope mean nothing in another.
     pub fn scope<R>(self, work: impl FnOnce() -> R) -> R {
-        struct Restore(Format);
+        struct Restore(Format, u64);
         impl Drop for Restore {
             fn drop(&mut self) {
                 CURRENT.set(self.0);
+                random::seed(self.1);
             }
         }
-        let _before = Restore(Self::current());
+        let _before = Restore(Self::current(), random::state());
         self.enter();
         work()
     }

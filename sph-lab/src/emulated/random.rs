@@ -6,9 +6,14 @@ thread_local! {
     static STATE: Cell<u64> = const { Cell::new(0) };
 }
 
-/// Begins anew.
-pub(super) fn seed(seed: u64) {
-    STATE.set(seed);
+/// Begins anew; returns where it was.
+pub(super) fn seed(seed: u64) -> u64 {
+    STATE.replace(seed)
+}
+
+/// Where it is.
+pub(super) fn state() -> u64 {
+    STATE.get()
 }
 
 /// 64 random bits (G. L. Steele, D. Lea, C. H. Flood, *Fast splittable pseudorandom number generators*, OOPSLA 2014).

@@ -69,7 +69,7 @@ impl Record {
     /// The largest magnitude; 0 before there is a result.
     #[must_use]
     pub fn largest(&self) -> f64 {
-        self.lowest.abs().max(self.highest.abs()) * f64::from(u8::from(self.lowest <= self.highest))
+        if self.lowest <= self.highest { self.lowest.abs().max(self.highest.abs()) } else { 0.0 }
     }
 
     /// The root of the mean square distance from the truth.

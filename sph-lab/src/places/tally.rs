@@ -23,7 +23,6 @@ use super::recorder::{Event, record};
 /// they left their range, so that nothing is counted for them.
 ///
 /// ```
-/// use sph_core::fluid::eos;
 /// use sph_core::scalar::fixed::{I4F12, Saturating};
 /// use sph_core::{Arithmetic, Scalar};
 /// use sph_lab::{Tally, watch};

@@ -4,16 +4,7 @@ use sph_core::kernel::Kernel;
 use sph_core::{BruteForce, Error, Field, KernelInfluence, Scalar, Sources, Uniform};
 use sph_lab::{Emulated, Format};
 
-/// Numbers that look random, the same on every machine.
-struct Random(u64);
-
-impl Random {
-    /// The next, from 0 to 1.
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
-    }
-}
+use super::random::Random;
 
 /// Densities, interpolation and gradients at some points, as bits; a refusal is a result too.
 fn numbers<T: Scalar, K: Kernel, const D: usize>(points: usize) -> Result<Vec<u64>, Error> {

@@ -9,6 +9,8 @@ use sph_core::{Accumulator, Scalar};
 use sph_lab::{Emulated, Format};
 
 mod fields;
+#[path = "../shared/random.rs"]
+mod random;
 
 /// What the operations give, as bits.
 fn operations<T: Compact>(a: T, b: T, n: i32, x: f64) -> Vec<u64> {

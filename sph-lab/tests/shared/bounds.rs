@@ -7,17 +7,7 @@ use sph_core::{BruteForce, Field, KernelInfluence, Scalar, Sources};
 use sph_lab::{Emulated, Format, Interval, Rounding, Running};
 
 use super::double_double::DoubleDouble;
-
-/// Numbers that look random, the same on every machine.
-pub(crate) struct Random(pub(crate) u64);
-
-impl Random {
-    /// The next, from 0 to 1.
-    pub(crate) fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
-    }
-}
+use super::random::Random;
 
 /// Particles, with every number as an f64.
 pub(crate) struct Case<const D: usize> {

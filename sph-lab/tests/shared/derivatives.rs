@@ -5,17 +5,7 @@ use sph_core::{BruteForce, Field, Influence, KernelInfluence, Scalar, Sources};
 use sph_lab::Dual;
 
 use super::double_double::DoubleDouble;
-
-/// Numbers that look random, the same on every machine.
-pub(crate) struct Random(pub(crate) u64);
-
-impl Random {
-    /// The next, from −1 to 1.
-    pub(crate) fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-    }
-}
+use super::random::Random;
 
 fn length<const D: usize>(x: [f64; D]) -> f64 {
     x.iter().map(|x| x * x).sum::<f64>().sqrt()
@@ -40,10 +30,10 @@ pub(crate) fn kernel<K: Kernel, const D: usize>(points: usize) -> [f64; 3] {
     let mut random = Random(D as u64);
     let mut worst = [0.0_f64; 3];
     for number in 0..points {
-        let mut x: [f64; D] = [0.0; D].map(|_| support * random.next());
+        let mut x: [f64; D] = [0.0; D].map(|_| support * random.signed());
         if number % 10 == 0 {
             // within some rounding of the edge
-            let scale = support * (1.0 + 1e-15 * random.next()) / length(x);
+            let scale = support * (1.0 + 1e-15 * random.signed()) / length(x);
             x = x.map(|component| component * scale);
         }
         let found = dual.influence_at(&Dual::variables(x)).derivatives();
@@ -63,8 +53,8 @@ pub(crate) fn kernel<K: Kernel, const D: usize>(points: usize) -> [f64; 3] {
 pub(crate) fn fields<K: Kernel, const D: usize>(points: usize) -> [f64; 3] {
     let mut random = Random(100 + D as u64);
     let support = [0.4, 0.6, 0.9][D - 1];
-    let positions: Vec<[f64; D]> = (0..60).map(|_| [0.0; D].map(|_| random.next())).collect();
-    let volumes: Vec<f64> = (0..60).map(|_| 0.05 + 0.01 * random.next()).collect();
+    let positions: Vec<[f64; D]> = (0..60).map(|_| [0.0; D].map(|_| random.signed())).collect();
+    let volumes: Vec<f64> = (0..60).map(|_| 0.05 + 0.01 * random.signed()).collect();
     let values: Vec<f64> = positions.iter().map(|x| x.iter().sum::<f64>().sin() + 2.0).collect();
     let dual = |number: &f64| Dual::<f64, D>::constant(*number);
     let places: Vec<[Dual<f64, D>; D]> = positions.iter().map(|x| x.map(|x| dual(&x))).collect();
@@ -80,7 +70,7 @@ pub(crate) fn fields<K: Kernel, const D: usize>(points: usize) -> [f64; 3] {
     let dual_field = Field::new(&dual_sources, &dual_values[..]).expect("a value for each");
     let (mut largest, mut worst) = ([0.0_f64; 3], [0.0_f64; 3]);
     for _ in 0..points {
-        let x = [0.0; D].map(|_| random.next());
+        let x = [0.0; D].map(|_| random.signed());
         let at = Dual::variables(x);
         let mut hold = |index: usize, gradient: [f64; D], found: Dual<f64, D>| {
             largest[index] = largest[index].max(length(gradient));

@@ -6,10 +6,11 @@
 mod report;
 
 use sph_core::scalar::compact::Compact;
+use sph_core::vector::norm_squared;
 use sph_lab::{Choice, Chosen, Emulated, Format, Rounding};
 
 use super::error::StudyError;
-use crate::engine::{PositionBased, Setup, Simulate};
+use crate::engine::{PositionBased, Setup, Simulate, jittered};
 use crate::parallel;
 use crate::progress::Progress;
 use crate::run::{self, CaseName};
@@ -128,10 +129,7 @@ pub fn run(request: &FluidRequest, progress: &dyn Progress) -> Result<FluidStudy
     let is_fluid = request.case.solvers().contains(&run::Solver::Pbf);
     let fluid = run::fluid_of(request.case, RESOLUTION).filter(|_| is_fluid);
     let (setup, size) = fluid.ok_or(StudyError::NoFluid { case: request.case })?;
-    let pool = rayon::ThreadPoolBuilder::new()
-        .num_threads(request.threads.unwrap_or(0).min(256))
-        .build()
-        .map_err(|error| StudyError::Threads(error.to_string()))?;
+    let pool = parallel::pool(request.threads, || ()).map_err(StudyError::Threads)?;
     let formats = formats(request, &setup, size);
     let with_starts = |&(format, usage): &(Option<Format>, Usage)| {
         (0..request.starts).map(move |start| (format, usage, start))
@@ -180,14 +178,9 @@ fn formats(request: &FluidRequest, setup: &Setup<2>, size: [f64; 2]) -> Vec<(Opt
 fn measure(setup: &Setup<2>, size: [f64; 2], job: Job, frames: u32) -> Result<[f64; 2], sph_core::Error> {
     let (format, usage, start) = job;
     let mut setup = setup.clone();
-    let mut state = u64::from(start).wrapping_mul(0x9E37_79B9_7F4A_7C15) + 1;
-    let spacing = setup.spacing;
-    let mut random = || {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (state >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-    };
-    for x in &mut setup.positions {
-        *x = x.map(|x| x + APART * spacing * random());
+    let (spacing, count) = (setup.spacing, setup.positions.len());
+    for (number, x) in setup.positions.iter_mut().enumerate() {
+        *x = jittered(start as usize * count + number, *x, APART * spacing);
     }
     match (format, usage) {
         (None, _) => simulate::<f64>(&setup, size, frames),
@@ -206,11 +199,10 @@ fn simulate<T: Compact>(setup: &Setup<2>, size: [f64; 2], frames: u32) -> Result
     for number in first..frames {
         // a fluid that escapes has no height: what it leaves is measured as it is
         let _ = fluid.advance(f64::from(number + 1) * frame);
-        let now = fluid.snapshot();
-        let count = now.positions.len() as f64;
-        sums[0] += 2.0 * now.positions.iter().map(|x| x[1]).sum::<f64>() / count;
-        let squares = now.velocities.iter().map(|v| v[0] * v[0] + v[1] * v[1]).sum::<f64>();
-        sums[1] += (squares / count).sqrt();
+        let (positions, velocities) = fluid.motion();
+        let count = positions.len() as f64;
+        sums[0] += 2.0 * positions.iter().map(|x| x[1]).sum::<f64>() / count;
+        sums[1] += (velocities.iter().map(norm_squared).sum::<f64>() / count).sqrt();
     }
     let measured = f64::from(frames - first).max(1.0);
     Ok(sums.map(|sum| sum / measured))
