@@ -2,13 +2,14 @@
 
 use std::{env, fs, path::PathBuf};
 
-/// The machines and their memory: flash and RAM, each origin and length.
-const MACHINES: [(&str, &str, &str); 5] = [
-    ("microbit", "0x00000000, LENGTH = 256K", "0x20000000, LENGTH = 16K"),
-    ("lm3s6965evb", "0x00000000, LENGTH = 256K", "0x20000000, LENGTH = 64K"),
-    ("mps2-an386", "0x00000000, LENGTH = 4M", "0x20000000, LENGTH = 4M"),
-    ("mps2-an505", "0x10000000, LENGTH = 4M", "0x38000000, LENGTH = 4M"),
-    ("virt", "", "0x80000000, LENGTH = 16M"),
+/// The machines and their memory: flash and RAM, each origin and length; and the target that is run on each, unless
+/// `FLUISIM_MACHINE` names another machine.
+const MACHINES: [(&str, &str, &str, &str); 5] = [
+    ("microbit", "0x00000000, LENGTH = 256K", "0x20000000, LENGTH = 16K", "thumbv6m-none-eabi"),
+    ("lm3s6965evb", "0x00000000, LENGTH = 256K", "0x20000000, LENGTH = 64K", "thumbv7m-none-eabi"),
+    ("mps2-an386", "0x00000000, LENGTH = 4M", "0x20000000, LENGTH = 4M", "thumbv7em-none-eabihf"),
+    ("mps2-an505", "0x10000000, LENGTH = 4M", "0x38000000, LENGTH = 4M", "thumbv8m.main-none-eabihf"),
+    ("virt", "", "0x80000000, LENGTH = 16M", "riscv32imc-unknown-none-elf"),
 ];
 
 const REGIONS: [&str; 6] = ["TEXT", "RODATA", "DATA", "BSS", "HEAP", "STACK"];
@@ -16,8 +17,12 @@ const REGIONS: [&str; 6] = ["TEXT", "RODATA", "DATA", "BSS", "HEAP", "STACK"];
 fn main() {
     println!("cargo::rerun-if-env-changed=FLUISIM_MACHINE");
     let out = PathBuf::from(env::var("OUT_DIR").expect("cargo sets OUT_DIR"));
-    let machine = env::var("FLUISIM_MACHINE").unwrap_or_default();
-    let Some((name, flash, ram)) = MACHINES.iter().find(|(name, ..)| *name == machine) else {
+    let triple = env::var("TARGET").expect("cargo sets TARGET");
+    let machine = env::var("FLUISIM_MACHINE").ok();
+    let is_meant =
+        |name: &str, target: &str| machine.as_ref().map_or(target == triple, |machine| name == machine);
+    let Some((name, flash, ram, _)) = MACHINES.iter().find(|(name, .., target)| is_meant(name, target))
+    else {
         return; // built for the host, by an editor or by clippy
     };
     let mut memory = String::from("MEMORY {\n");

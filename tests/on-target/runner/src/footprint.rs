@@ -1,6 +1,6 @@
 //! Flash and RAM of typical uses, less those of firmware that does nothing.
 
-use crate::compile;
+use crate::compile::{self, Firmware};
 use crate::elf::Elf;
 use crate::table;
 use crate::target::{M0, M4F, RV32, TARGETS, Target};
@@ -12,19 +12,17 @@ const USES: [&str; 8] =
 /// Measures and compares with the table, or replaces it; true when no row has grown.
 pub(crate) fn check(update: bool) -> Result<bool> {
     let mut rows = Vec::new();
-    for target in TARGETS {
-        rows.extend(measure(&target, "release")?);
-    }
-    for target in [M0, M4F, RV32] {
-        rows.extend(measure(&target, "small")?);
+    for (profile, targets) in [("release", &TARGETS[..]), ("small", &[M0, M4F, RV32])] {
+        let mut arguments = vec!["-p", "fluisim-footprint", "--profile", profile, "--bin", "empty"];
+        arguments.extend(USES.iter().flat_map(|name| ["--bin", name]));
+        for (target, firmware) in compile::build_for(targets, &arguments)? {
+            rows.extend(measure(&target, profile, &firmware)?);
+        }
     }
     table::check("footprint.csv", "target,profile,use,RAM,flash", &rows, update)
 }
 
-fn measure(target: &Target, profile: &str) -> Result<Vec<String>> {
-    let mut arguments = vec!["-p", "fluisim-footprint", "--profile", profile, "--bin", "empty"];
-    arguments.extend(USES.iter().flat_map(|name| ["--bin", name]));
-    let built = compile::build(target, &arguments)?;
+fn measure(target: &Target, profile: &str, built: &[Firmware]) -> Result<Vec<String>> {
     let read = |name: &str| {
         let firmware = built.iter().find(|firmware| firmware.name == name).context("a binary is missing")?;
         Elf::read(&firmware.path)

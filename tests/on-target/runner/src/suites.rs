@@ -11,9 +11,9 @@ const SUITES: [&str; 4] = ["-p", "fluisim-firmware", "--tests", "--release"];
 pub(crate) fn check() -> Result<bool> {
     println!("\n{:<30} {:<12} {:>6} {:>6}", "target", "machine", "passed", "failed");
     let mut good = true;
-    for target in TARGETS {
+    for (target, suites) in compile::build_for(&TARGETS, &SUITES)? {
         let (mut passed, mut failed) = (0, 0);
-        for firmware in compile::build(&target, &SUITES)? {
+        for firmware in suites {
             let outcome = qemu::run(&target, &firmware.path, &[])?;
             let (begun, total) = progress(&outcome);
             if outcome.success && begun == total && total > 0 {

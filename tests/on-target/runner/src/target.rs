@@ -1,7 +1,7 @@
 //! The processors, and the machine that QEMU stands in for each with.
 
 /// A compilation target and the emulated machine that its firmware runs on.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Target {
     /// The target's name, as rustc knows it.
     pub(crate) triple: &'static str,
@@ -28,6 +28,11 @@ pub(crate) const RV32: Target =
     Target { triple: "riscv32imc-unknown-none-elf", machine: "virt", debug: true };
 
 impl Target {
+    /// The first letters of the triple: thumb or riscv.
+    pub(crate) fn architecture(&self) -> &'static str {
+        &self.triple[..5]
+    }
+
     /// The program and arguments that emulate the machine.
     pub(crate) fn qemu(&self) -> (&'static str, &'static [&'static str]) {
         match self.machine {

@@ -16,7 +16,7 @@ const PROGRAMS: [(&str, &str); 3] =
     [("qemu-system-arm", "qemu-system-arm"), ("qemu-system-riscv32", "qemu-system-misc"), ("node", "nodejs")];
 
 /// A cargo, its compiler, and whether `core` has to be built from source.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Toolchain {
     cargo: String,
     rustc: String,
@@ -48,14 +48,21 @@ impl Toolchain {
         output(&self.rustc, &["--version"]).unwrap_or_default().trim().to_owned()
     }
 
-    /// A cargo command for the target.
-    pub(crate) fn cargo(&self, subcommand: &str, triple: &str) -> Command {
+    /// A cargo command for some targets.
+    pub(crate) fn cargo(&self, subcommand: &str, triples: &[&str]) -> Command {
         let mut command = Command::new(&self.cargo);
-        command.arg(subcommand).args(["--target", triple]).env("RUSTC", &self.rustc);
+        command.arg(subcommand).env("RUSTC", &self.rustc);
         if self.build_core {
-            let linker = if triple.starts_with("wasm32") { "wasm-ld" } else { "ld.lld" };
-            let variable = format!("CARGO_TARGET_{}_LINKER", triple.to_uppercase().replace(['-', '.'], "_"));
-            command.arg("-Zbuild-std=core").env("RUSTC_BOOTSTRAP", "1").env(variable, linker);
+            command.arg("-Zbuild-std=core").env("RUSTC_BOOTSTRAP", "1");
+        }
+        for triple in triples {
+            command.args(["--target", triple]);
+            if self.build_core {
+                let linker = if triple.starts_with("wasm32") { "wasm-ld" } else { "ld.lld" };
+                let variable =
+                    format!("CARGO_TARGET_{}_LINKER", triple.to_uppercase().replace(['-', '.'], "_"));
+                command.env(variable, linker);
+            }
         }
         command
     }
