@@ -10,7 +10,7 @@ mod fields;
 mod random;
 
 /// Points of each comparison.
-const POINTS: usize = 150;
+const POINTS: usize = 300;
 
 /// All modes of a format in all dimensions.
 macro_rules! formats {
