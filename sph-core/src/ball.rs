@@ -11,7 +11,7 @@
 use crate::Scalar;
 use core::f64::consts::PI;
 
-/// B(N, 1), the volume of the unit ball in N dimensions.
+/// B(N, 1), the volume of the unit ball in N dimensions; 0 from N = 453 on, where it is below the range of f64.
 ///
 /// ```
 /// const DISC: f64 = sph_core::ball::unit_volume(2);
@@ -20,7 +20,7 @@ use core::f64::consts::PI;
 pub const fn unit_volume(dimensions: u32) -> f64 {
     let mut volume = if dimensions.is_multiple_of(2) { 1.0 } else { 2.0 };
     let mut n = dimensions % 2;
-    while n < dimensions {
+    while n < dimensions && volume > 0.0 {
         n += 2;
         volume *= 2.0 * PI / n as f64;
     }
@@ -102,6 +102,13 @@ mod tests {
             assert!(relative(volume_real(n as f64, 1.0)) < 4e-15, "N = {n}");
             assert!(relative(volume_real(n as f64, 1.7) / libm::pow(1.7, n as f64)) < 4e-15, "N = {n}");
         }
+    }
+
+    #[test]
+    fn the_volume_vanishes_in_many_dimensions() {
+        assert!(unit_volume(452) > 0.0);
+        assert_eq!([453, 454, 1000, u32::MAX - 1, u32::MAX].map(unit_volume), [0.0; 5]);
+        assert_eq!(unit_surface(u32::MAX), 0.0);
     }
 
     #[test]

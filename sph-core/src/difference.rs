@@ -10,10 +10,14 @@
 
 use crate::{Accumulator, Scalar};
 
+/// The highest derivative that [`nth`] takes: C(33, 16) is the largest binomial coefficient of 32 bits.
+pub const HIGHEST: u32 = 33;
+
 /// f⁽ⁿ⁾(x) with the step s: (2s)^{-n} Σ (−1)^k C(n, k) f(x + (n − 2k) s), summed from k = 0 on; n = 0 gives f(x).
 ///
 /// Where a term C(n, k) f is not finite, because f is not or a narrow type's range ends, so is the result.
-/// Units of f per unit of x to the n. n beyond 30 overflows the binomial coefficients' type: they are held there.
+/// Nor is it where the quotient by (2s)^n leaves the range, or where n > [`HIGHEST`]: then it is 1/0 in T, and f is not asked.
+/// Units of f per unit of x to the n.
 ///
 /// ```
 /// use sph_core::difference;
@@ -21,16 +25,18 @@ use crate::{Accumulator, Scalar};
 /// assert_eq!(third, 6.0); // exact for degree ≤ n + 1
 /// ```
 pub fn nth<T: Scalar>(f: impl Fn(T) -> T, n: u32, x: T, step: T) -> T {
+    if n > HIGHEST {
+        return T::ONE / T::ZERO;
+    }
     let mut sum = <T::Sum as Accumulator<T>>::ZERO;
     let mut binomial: i64 = 1;
     for k in 0..=n {
-        let coefficient = binomial.min(i32::MAX as i64) as i32;
-        let term = f(x + step.times(n as i32 - 2 * k as i32)).times(coefficient);
+        let term = f(x + step.times(n as i32 - 2 * k as i32)).times(binomial as i32);
         if !term.is_finite() {
             return term; // held at the end of a narrow type's range, a sum of both signs would hide it
         }
         sum.add(if k % 2 == 0 { term } else { -term });
-        binomial = binomial.saturating_mul((n - k) as i64) / (k as i64 + 1);
+        binomial = binomial * (n - k) as i64 / (k as i64 + 1);
     }
     let width = step.times(2);
     (0..n).fold(sum.total(), |quotient, _| quotient / width)
@@ -75,12 +81,13 @@ pub fn step_for<T: Scalar>(n: u32, x: T) -> T {
     relative_step::<T>(n) * x.abs().max(T::ONE)
 }
 
-/// A power of two near ε^{1/(n+2)}, ε the scalar's [`Scalar::EPSILON`], where truncation and rounding errors balance.
+/// A power of two near ε^{1/(n+2)}, ε the scalar's [`Scalar::EPSILON`], where truncation and rounding errors balance; that of
+/// [`HIGHEST`] for a larger n.
 pub fn relative_step<T: Scalar>(n: u32) -> T {
     let half = T::ratio(1, 2);
     let mut step = half;
     // step^{n+2} > ε, compared without leaving the range of a narrow type
-    while (0..n + 2).fold(T::ONE, |power, _| power * step) > T::EPSILON && step > T::EPSILON {
+    while (0..n.min(HIGHEST) + 2).fold(T::ONE, |power, _| power * step) > T::EPSILON && step > T::EPSILON {
         step = step * half;
     }
     step
@@ -124,6 +131,19 @@ mod tests {
             assert!((nth_auto(libm::sin, n, 0.7) - exact).abs() < tolerance, "n = {n}");
         }
         assert!((nth_auto(|x: f32| x * x * x, 1, 2.0) - 12.0).abs() < 2e-3);
+    }
+
+    /// x^33 has the 33rd derivative 33!.
+    #[test]
+    fn the_highest_is_as_good_as_others_and_one_more_is_not_finite() {
+        let factorial: f64 = (1..=33).map(f64::from).product();
+        let found = nth(|x: f64| libm::pow(x, 33.0), HIGHEST, 0.0, 0.5);
+        assert!((found / factorial - 1.0).abs() < 1e-12, "{found}");
+        let never = |_: f64| -> f64 { panic!("f is not asked") };
+        for n in [HIGHEST + 1, 1000, u32::MAX] {
+            assert_eq!(nth(never, n, 1.0, 0.5), f64::INFINITY, "n = {n}");
+            assert_eq!(nth_auto(never, n, 1.0), f64::INFINITY, "n = {n}");
+        }
     }
 
     #[test]

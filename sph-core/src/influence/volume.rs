@@ -22,7 +22,7 @@ use crate::kernel::{Kernel, radial_moment};
 pub fn shell<K: Kernel>(dim: u32, support_radius: f64) -> f64 {
     ball::unit_surface(dim)
         * radial_moment::<K>(dim, dim)
-        * libm::pow(support_radius, (dim + K::RAW_POWER) as f64)
+        * libm::pow(support_radius, f64::from(dim) + f64::from(K::RAW_POWER))
 }
 
 /// V(D, h) as the paper prints it, with B(D, r) for ∂B/∂r: one length too many, see the [erratum](super).
@@ -34,8 +34,8 @@ pub fn shell<K: Kernel>(dim: u32, support_radius: f64) -> f64 {
 /// assert!((volume::printed::<Poly6>(2, h) / (16.0 * PI * h.powi(9) / 315.0) - 1.0).abs() < 1e-14);
 /// ```
 pub fn printed<K: Kernel>(dim: u32, support_radius: f64) -> f64 {
-    let power = (dim + 1 + K::RAW_POWER) as f64;
-    ball::unit_volume(dim) * radial_moment::<K>(dim, dim + 1) * libm::pow(support_radius, power)
+    let power = f64::from(dim) + 1.0 + f64::from(K::RAW_POWER);
+    ball::unit_volume(dim) * radial_moment::<K>(dim, dim.saturating_add(1)) * libm::pow(support_radius, power)
 }
 
 /// ∫₀ʰ ω(h, r) dr, which Def. 1.2 wants to be 1: divide ω by it for a kernel normalised on the half line.
@@ -56,6 +56,13 @@ mod tests {
     use super::*;
     use crate::kernel::{CubicSpline, Poly6, Viscosity, WendlandC4};
     use core::f64::consts::PI;
+
+    #[test]
+    fn any_number_of_dimensions_has_an_answer() {
+        for dim in [1000, u32::MAX - 1, u32::MAX] {
+            assert_eq!([shell::<Poly6>(dim, 0.5), printed::<CubicSpline>(dim, 0.5)], [0.0; 2], "{dim}");
+        }
+    }
 
     #[test]
     fn poly6_matches_the_table_of_the_erratum() {

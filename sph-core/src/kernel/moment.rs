@@ -31,23 +31,39 @@ impl Term {
 
     /// ∫₀¹ term · q^{n−1} dq; infinite where it diverges.
     pub const fn moment(&self, n: u32) -> f64 {
-        let lowest = self.degree + n as i32;
+        let lowest = self.degree as i64 + n as i64;
         if lowest <= 0 {
             return f64::INFINITY;
         }
+        let power = self.power as i64;
+        // B(k + 1, j + n) is symmetric: of two long products the shorter one, whose factors are 1/2 at most
+        let (last, other) = if power > FEW && power > lowest { (lowest, power) } else { (power, lowest) };
         let mut moment = self.coefficient / lowest as f64;
         let mut i = 1;
-        while i <= self.power as i32 {
-            moment *= i as f64 / (lowest + i) as f64;
+        while i <= last && moment != 0.0 {
+            moment *= i as f64 / (other + i) as f64;
             i += 1;
         }
-        let mut edges = self.power as i32 + lowest;
-        while edges > 0 {
-            moment *= self.edge;
-            edges -= 1;
-        }
-        moment
+        times_power(moment, self.edge, power + lowest)
     }
+}
+
+/// So many multiplications one after the other take no time; with more, other orders are shorter.
+const FEW: i64 = 64;
+
+/// x a^n, multiplied one by one where n is small.
+const fn times_power(mut x: f64, a: f64, n: i64) -> f64 {
+    let (mut factor, mut left) = (a, n);
+    while left > 0 {
+        if left <= FEW || left % 2 == 1 {
+            x *= factor;
+            left -= 1;
+        } else {
+            factor *= factor;
+            left /= 2;
+        }
+    }
+    x
 }
 
 const fn sum_of_moments(terms: &[Term], n: u32) -> f64 {
@@ -97,7 +113,8 @@ pub fn radial_moment<K: Kernel>(dim: u32, n: u32) -> f64 {
 /// M_n by Gauss–Legendre quadrature, whatever terms the kernel lists.
 pub(crate) fn moment_by_quadrature<K: Kernel>(dim: u32, n: u32) -> f64 {
     let profile = |q| if dim == 1 { K::profile_in_1d::<f64>(q) } else { K::profile(q) };
-    let integrand = |q: f64| (1..n).fold(profile(q), |product, _| product * q);
+    let power = i64::from(n.saturating_sub(1));
+    let integrand = |q: f64| times_power(profile(q), q, power);
     quadrature::integrate(integrand, 0.0, 1.0)
 }
 
@@ -111,7 +128,54 @@ pub fn normalisation<K: Kernel>(dim: u32) -> f64 {
     1.0 / (ball::unit_surface(dim) * radial_moment::<K>(dim, dim))
 }
 
-/// ∫ |x|² W d^Dx for support radius 1: M_{D+2} / M_D.
+/// ∫ |x|² W d^Dx for support radius 1: M_{D+2} / M_D; 1, its limit, in so many dimensions that both are below the range of f64.
 pub fn second_moment<K: Kernel>(dim: u32) -> f64 {
-    radial_moment::<K>(dim, dim + 2) / radial_moment::<K>(dim, dim)
+    let whole = radial_moment::<K>(dim, dim);
+    if whole == 0.0 { 1.0 } else { radial_moment::<K>(dim, dim.saturating_add(2)) / whole }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::kernel::{CubicSpline, Poly6, QuinticSpline, Viscosity};
+
+    fn assert_moment(edge: f64, power: u32, n: u32, exact: f64) {
+        let found = Term::new(1.0, edge, power, 0).moment(n);
+        assert!(
+            (found / exact - 1.0).abs() < 1e-13,
+            "edge {edge}, power {power}, n {n}: {found:e}, {exact:e}"
+        );
+    }
+
+    /// ∫ (a − q)^k q^{n−1} dq = a^{k+n} B(k + 1, n), and B(k + 1, 1) = 1/(k + 1), B(k + 1, 2) = 1/((k + 1)(k + 2)).
+    #[test]
+    fn high_powers_and_many_dimensions_have_their_moments() {
+        for k in [3, 64, 65, 200, 5000, u32::MAX] {
+            let power = f64::from(k);
+            assert_moment(1.0, k, 1, 1.0 / (power + 1.0));
+            assert_moment(1.0, k, 2, 1.0 / ((power + 1.0) * (power + 2.0)));
+            assert_moment(1.0, 1, k, 1.0 / (power * (power + 1.0)));
+        }
+        for k in [63, 64, 65, 100, 700] {
+            assert_moment(0.5, k, 1, libm::pow(0.5, f64::from(k + 1)) / f64::from(k + 1));
+        }
+        assert_eq!(Term::new(1.0, 1.0, u32::MAX, 0).moment(u32::MAX), 0.0);
+        assert_eq!(Term::new(1.0, 1.0, 0, -1).moment(1), f64::INFINITY);
+        assert_eq!(
+            Term::new(1.0, 1.0, 2, i32::MIN).moment(u32::MAX),
+            2.0 / (2147483647.0 * 2147483648.0 * 2147483649.0)
+        );
+    }
+
+    #[test]
+    fn second_moments_grow_to_the_support_in_many_dimensions() {
+        fn check<K: Kernel>() {
+            let moments = [3, 10, 100, 1000, u32::MAX].map(second_moment::<K>);
+            assert!(moments.is_sorted() && moments[0] > 0.0 && moments[4] <= 1.0, "{moments:?}");
+        }
+        check::<Poly6>();
+        check::<CubicSpline>();
+        check::<QuinticSpline>();
+        check::<Viscosity>();
+    }
 }
