@@ -183,6 +183,9 @@ fn failure(error: Error) -> Failure {
         Error::NotADirectory(path) => {
             Failure::input(format!("--out {}: is a file, expected a directory", path.display()))
         }
+        Error::InUse { .. } => {
+            Failure::input(format!("{error}; wait for its end, or take another directory with --out"))
+        }
         Error::Taken(_) => {
             Failure::input(format!("{error}; use --resume to go on with it, --force to replace it"))
         }

@@ -9,6 +9,7 @@ use super::definition::Case;
 use super::error::Error;
 use super::folder::{RunFolder, Spent};
 use super::gallery::{Draw, Gallery};
+use super::lock::Lock;
 use super::options::Earlier;
 use super::parameters::Parameters;
 use super::resume::{self, Expected, Whole};
@@ -35,6 +36,8 @@ impl Destination {
         progress: &dyn Progress,
     ) -> Result<Summary, Error> {
         let (start, folder) = (Instant::now(), &self.folder);
+        folder.make()?;
+        let _lock = Lock::take(folder)?;
         self.make_ready()?;
         folder.write_parameters(parameters)?;
         let (before, spent) = self.resume(run, parameters, progress)?;
@@ -65,17 +68,16 @@ impl Destination {
         Ok(summary)
     }
 
-    /// Makes the directory, and removes what is not to stay there.
+    /// Removes what is not to stay in the directory.
     fn make_ready(&self) -> Result<(), Error> {
         match self.earlier {
-            Earlier::Keep => self.folder.require_free()?,
-            Earlier::Resume => self.folder.remove_unfinished()?,
+            Earlier::Keep => self.folder.require_free(),
+            Earlier::Resume => self.folder.remove_unfinished(),
             Earlier::Replace => {
                 self.folder.clear()?;
-                self.folder.remove_unfinished()?;
+                self.folder.remove_unfinished()
             }
         }
-        self.folder.make()
     }
 
     /// Brings a run to the last frame that is whole, if there is one: the fluid there, and what was spent before.

@@ -102,6 +102,17 @@ pub enum Error {
         /// What the system said.
         source: io::Error,
     },
+    /// Another process writes in the directory.
+    #[error(
+        "{}: another run{} is writing there", .directory.display(),
+        .holder.map_or(String::new(), |process| format!(", process {process},"))
+    )]
+    InUse {
+        /// The directory.
+        directory: PathBuf,
+        /// The other process, where it could be read.
+        holder: Option<u32>,
+    },
     /// The directory holds a run, and it was not said what to do with it.
     #[error("{}: already holds a run", .0.display())]
     Taken(PathBuf),

@@ -26,6 +26,7 @@ mod error;
 mod folder;
 mod frame;
 mod gallery;
+mod lock;
 mod method;
 mod options;
 mod parameters;
@@ -70,7 +71,7 @@ use parameters::Parameters;
 /// ```
 ///
 /// # Errors
-/// Options that contradict each other, a directory that is taken or cannot be written, or a run that failed: a number that is not
+/// Options that contradict each other, a directory that is taken, in use by another process or cannot be written, or a run that failed: a number that is not
 /// finite. A particle that escaped does not end the run; see [`Summary::escaped`].
 pub fn run(options: &Options, output: &Output, progress: &dyn Progress) -> Result<Summary, Error> {
     let folder = RunFolder::at(&output.directory)?;

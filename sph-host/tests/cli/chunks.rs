@@ -137,3 +137,15 @@ fn words_that_go_with_pieces() {
     folder.fail_with(2, "sample p.csv --support 1 --grid 5 --chunk 0", &["--chunk"]);
     folder.fail_with(2, "sample demo:vortex --grid 5,5 --chunk 100", &["--chunk", "built-in"]);
 }
+
+#[test]
+fn no_points_in_chunks_are_no_points_at_all() {
+    let folder = Folder::with("p.csv", "x,y,z,m\n0,0,0,1\n1,0,0,1\n0,1,0,1\n");
+    folder.write("q.csv", "x\n");
+    let words = "sample p.csv --at q.csv --support 1";
+    let whole = folder.succeed(words);
+    assert_eq!(whole.stdout, "x,density\n");
+    assert!(whole.stderr.contains("there are no points"), "{}", whole.stderr);
+    let pieces = folder.succeed(&format!("{words} --chunk 2"));
+    assert_eq!((pieces.stdout, pieces.stderr), (whole.stdout, whole.stderr));
+}

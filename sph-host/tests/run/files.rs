@@ -54,7 +54,8 @@ fn every_case_leaves_all_its_files_with_every_solver() {
 }
 
 fn assert_files(folder: &Folder, place: &str, plot: &str) {
-    let always = ["run.json", "summary.json", "series.csv", "frames.pvd", "animation.gif", "checkpoint.json"];
+    let always =
+        ["run.json", "summary.json", "series.csv", "frames.pvd", "animation.gif", "checkpoint.json", ".lock"];
     let mut expected: BTreeSet<String> = always.iter().chain([&plot]).map(|&name| name.to_owned()).collect();
     expected.extend((0..3).flat_map(|k| ["vtu", "png"].map(|ending| format!("frame_{k:04}.{ending}"))));
     assert_eq!(folder.names_in(place), expected, "{place}");

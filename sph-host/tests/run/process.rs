@@ -40,3 +40,25 @@ fn an_interrupt_leaves_no_half_written_file_and_the_run_goes_on() {
     folder.succeed(&format!("{words} --resume"));
     assert!(folder.path("vortices/frame_0050.vtu").exists());
 }
+
+#[cfg(unix)]
+#[test]
+fn one_run_at_a_time_writes_in_a_directory() {
+    let folder = Folder::new();
+    let words = "run taylor-green --resolution 8 --time 2 --every 0.01 --no-pictures --out vortices";
+    let mut child = folder.command(words).stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap();
+    let start = Instant::now();
+    while !folder.path("vortices/frame_0001.vtu").exists() {
+        assert!(start.elapsed() < Duration::from_secs(120), "nothing is written");
+        std::thread::sleep(Duration::from_millis(1));
+    }
+    let holder = format!("process {}", child.id());
+    for option in ["", "--force", "--resume"] {
+        folder.fail_with(1, &format!("{words} {option}"), &["vortices: another run", &holder, "--out"]);
+    }
+    assert!(child.try_wait().unwrap().is_none(), "the first run was over before the others were refused");
+    child.kill().unwrap();
+    child.wait().unwrap();
+    folder.succeed(&format!("{words} --resume"));
+    assert!(folder.path("vortices/frame_0200.vtu").exists());
+}
