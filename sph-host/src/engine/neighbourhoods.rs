@@ -8,7 +8,7 @@ use sph_core::{Arithmetic, Lane};
 use super::records::ParticleRecords;
 use super::verlet_lists::ListChunk;
 use crate::fast::{
-    BLOCK, Evaluate, Evaluator, InstructionSet, Isa, Job, Real, Register, evaluator, fronts, last_store,
+    BLOCK, Evaluate, Evaluator, Fronts, InstructionSet, Isa, Job, Real, Register, evaluator, last_store,
     reserve, sixteen_mut,
 };
 use crate::kernel_choice::{KernelName, with_kernel};
@@ -197,7 +197,7 @@ impl<T: Real, P: Iterator<Item = usize>, const D: usize> Job<T> for FindNeighbou
                 let room = end + (row.len() + 1) * BLOCK;
                 near.reserve(room);
                 let (squares, found) = (&mut near.squares[..room], &mut near.places[..room]);
-                let offsets = fronts(&mut near.offsets, room);
+                let mut offsets = Fronts::new(&mut near.offsets, room);
                 let last_store = last_store(room, width);
                 for block in row {
                     for part in 0..I::PARTS {
@@ -209,12 +209,12 @@ impl<T: Real, P: Iterator<Item = usize>, const D: usize> Job<T> for FindNeighbou
                         }
                         let square = norm_squared(&offset) * inverse_square;
                         let mask = isa.less_than_mask(square, I::Reg::ONE);
-                        let at = end.min(last_store);
+                        assert!(end <= last_store, "room for a register");
                         for axis in 0..D {
-                            isa.pack(mask, offset[axis], &mut offsets[axis][at..at + width]);
+                            isa.pack(mask, offset[axis], &mut offsets.list(axis)[end..][..width]);
                         }
-                        isa.pack(mask, square, &mut squares[at..at + width]);
-                        isa.pack_places(mask, candidates, &mut found[at..at + width]);
+                        isa.pack(mask, square, &mut squares[end..][..width]);
+                        isa.pack_places(mask, candidates, &mut found[end..][..width]);
                         end += mask.count_ones() as usize;
                     }
                 }

@@ -42,12 +42,12 @@ pub(crate) fn sixteen_mut<V>(list: &mut [V], first: usize) -> &mut [V; BLOCK] {
     list[first..].first_chunk_mut().expect("a block of padding")
 }
 
-/// The last place where a register of so many numbers can be stored, in a list of a known length: `place.min(last)` says to the
-/// compiler what cannot be otherwise, and takes the place of a check for each list.
+/// The last place where a register of so many numbers can be stored, in a list of a known length: an assertion that a place is not
+/// beyond it takes the place of a check for each list.
 #[inline(always)]
 pub(crate) fn last_store(length: usize, width: usize) -> usize {
-    assert!(width <= length, "room for a register");
-    length - width
+    // a difference that is known not to wrap: after a plain one the checks stay
+    length.checked_sub(width).expect("room for a register")
 }
 
 /// Lists the candidates about a box that lies in one row of cells, of the particles from a place on, after the first `end`
@@ -74,14 +74,31 @@ pub(super) fn candidates<T: Real, const D: usize>(
     end
 }
 
-/// The first `room` numbers of each of some lists, which have as many: then one check of a place is enough for all.
-#[inline(always)]
-pub(crate) fn fronts<T, const N: usize>(lists: &mut [Vec<T>; N], room: usize) -> [&mut [T]; N] {
-    let mut lists = lists.iter_mut();
-    std::array::from_fn(
-        #[inline(always)]
-        |_| lists.next().map_or(&mut [][..], |list| &mut list[..room]),
-    )
+/// The first numbers of some lists, of each as many: then one check of a place is enough for all.
+///
+/// A loop fills it, after which no list is `None`: of what `array::from_fn` makes, the compiler does not know the lengths where it
+/// calls it in another unit.
+pub(crate) struct Fronts<'a, T, const N: usize>([Option<&'a mut [T]>; N]);
+
+impl<'a, T, const N: usize> Fronts<'a, T, N> {
+    /// The first `room` numbers of each list, which has as many.
+    #[inline(always)]
+    pub(crate) fn new(lists: &'a mut [Vec<T>; N], room: usize) -> Self {
+        let mut fronts = [const { None }; N];
+        for (number, list) in lists.iter_mut().enumerate() {
+            fronts[number] = Some(&mut list[..room]);
+        }
+        Self(fronts)
+    }
+
+    /// One of the lists.
+    #[inline(always)]
+    pub(crate) fn list(&mut self, number: usize) -> &mut [T] {
+        match &mut self.0[number] {
+            Some(list) => list,
+            None => &mut [],
+        }
+    }
 }
 
 /// Blocks that are written together, even where fewer are needed: a branch on their number would be mispredicted.

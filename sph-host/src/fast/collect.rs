@@ -2,7 +2,7 @@
 
 use sph_core::Lane;
 
-use super::blocks::{Block, candidates, fronts, last_store, reserve, sixteen_mut, squares};
+use super::blocks::{Block, Fronts, candidates, last_store, reserve, sixteen_mut, squares};
 use super::simd::{BLOCK, Isa, Job, Real, Register};
 use super::sort::Sorted;
 use super::sorted_cells::SortedCells;
@@ -74,8 +74,8 @@ impl<T: Real, const D: usize> Job<T> for Collect<'_, T, D> {
                 blocks,
                 #[inline(always)]
                 |_, _, mask, r2| {
-                    let at = end.min(last_store);
-                    isa.pack(mask, r2, &mut out[at..at + I::Reg::WIDTH]);
+                    assert!(end <= last_store, "room for a register");
+                    isa.pack(mask, r2, &mut out[end..][..I::Reg::WIDTH]);
                     end += mask.count_ones() as usize;
                 },
             );
@@ -179,8 +179,8 @@ pub(crate) fn list_places<T: Real, const D: usize, I: Isa<T>>(
         &mut blocks[..count],
         #[inline(always)]
         |block, shift, mask, _| {
-            let at = end.min(last_store);
-            isa.pack_places(mask, &block.places()[shift..], &mut out[at..at + I::Reg::WIDTH]);
+            assert!(end <= last_store, "room for a register");
+            isa.pack_places(mask, &block.places()[shift..], &mut out[end..][..I::Reg::WIDTH]);
             end += mask.count_ones() as usize;
         },
     );
@@ -209,7 +209,7 @@ impl<T: Real, const C: usize> Job<T> for Pick<'_, T, C> {
         }
         let room = found.squares.len();
         out.iter_mut().for_each(|out| reserve(out, room));
-        let mut out = fronts(out, room);
+        let mut out = Fronts::new(out, room);
         let last_store = last_store(room, I::Reg::WIDTH);
         let mut blocks = &found.blocks[..];
         for span in &found.spans {
@@ -220,16 +220,16 @@ impl<T: Real, const C: usize> Job<T> for Pick<'_, T, C> {
                 for part in 0..I::PARTS {
                     let shift = part * I::Reg::WIDTH;
                     let mask = (block.mask >> shift) & I::ALL;
-                    let at = end.min(last_store);
+                    assert!(end <= last_store, "room for a register");
                     for column in 0..C {
                         let values = I::Reg::load_at(columns[column], block.first as usize + shift);
-                        isa.pack(mask, values, &mut out[column][at..at + I::Reg::WIDTH]);
+                        isa.pack(mask, values, &mut out.list(column)[end..][..I::Reg::WIDTH]);
                     }
                     end += mask.count_ones() as usize;
                 }
             }
-            for out in &mut out {
-                *sixteen_mut(out, end) = [T::ZERO; BLOCK];
+            for column in 0..C {
+                *sixteen_mut(out.list(column), end) = [T::ZERO; BLOCK];
             }
         }
     }

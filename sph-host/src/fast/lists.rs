@@ -112,8 +112,8 @@ impl<T: Real, const D: usize> Job<T> for Lists<'_, T, D> {
                         |axis, y| x[axis] - y,
                     );
                     let mask = isa.less_than_mask(squares, limit);
-                    let at = end.min(last_store);
-                    isa.pack_places(mask, places, &mut out[at..at + width]);
+                    assert!(end <= last_store, "room for a register");
+                    isa.pack_places(mask, places, &mut out[end..][..width]);
                     end += mask.count_ones() as usize;
                 }
                 ends.push(end);

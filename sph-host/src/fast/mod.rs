@@ -24,7 +24,7 @@ mod sorted_cells;
 mod sums;
 mod terms;
 
-pub(crate) use blocks::{Block, fronts, last_store, reserve, sixteen_mut};
+pub(crate) use blocks::{Block, Fronts, last_store, reserve, sixteen_mut};
 pub(crate) use collect::list_places;
 pub(crate) use evaluate::{Evaluate, Evaluator, evaluator};
 pub(crate) use simd::{BLOCK, Isa, Job, Register};

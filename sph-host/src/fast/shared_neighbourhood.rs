@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use sph_core::Lane;
 
-use super::blocks::{Block, candidates, fronts, last_store, reserve, sixteen_mut, squares};
+use super::blocks::{Block, Fronts, candidates, last_store, reserve, sixteen_mut, squares};
 use super::simd::{BLOCK, Isa, Real, Register};
 use super::sorted_cells::SortedCells;
 
@@ -59,7 +59,7 @@ impl<T: Real, const D: usize> SharedNeighbourhood<T, D> {
         let room = (blocks + 1) * BLOCK;
         reserve(&mut self.places, room);
         self.coordinates.iter_mut().for_each(|axis| reserve(axis, room));
-        let mut coordinates = fronts(&mut self.coordinates, room);
+        let mut coordinates = Fronts::new(&mut self.coordinates, room);
         let places = &mut self.places[..room];
         let (lower, upper): ([I::Reg; D], [I::Reg; D]) = (I::splat_vector(&lower), I::splat_vector(&upper));
         let limit = I::Reg::splat(cells.radius * cells.radius);
@@ -78,17 +78,17 @@ impl<T: Real, const D: usize> SharedNeighbourhood<T, D> {
                     |axis, x: I::Reg| x - x.max(lower[axis]).min(upper[axis]),
                 );
                 let mask = (block.mask >> (part * width)) & isa.less_than_mask(squares, limit);
-                let at = end.min(last_store);
+                assert!(end <= last_store, "room for a register");
                 for axis in 0..D {
                     let values = I::Reg::load_at(axes[axis], first);
-                    isa.pack(mask, values, &mut coordinates[axis][at..at + width]);
+                    isa.pack(mask, values, &mut coordinates.list(axis)[end..][..width]);
                 }
-                isa.pack_places(mask, &all[part * width..], &mut places[at..at + width]);
+                isa.pack_places(mask, &all[part * width..], &mut places[end..][..width]);
                 end += mask.count_ones() as usize;
             }
         }
-        for axis in &mut coordinates {
-            *sixteen_mut(axis, end) = [T::MAX; BLOCK];
+        for axis in 0..D {
+            *sixteen_mut(coordinates.list(axis), end) = [T::MAX; BLOCK];
         }
         self.count = end;
     }
