@@ -219,6 +219,14 @@ pub enum SampleError {
         /// What is wrong.
         error: sph_core::Error,
     },
+    /// The file is not what it was when it was read for the first time.
+    #[error(
+        "{file}: changed while it was read, expected the same numbers twice; it is read in pieces, once for its extent and once to sum"
+    )]
+    Changed {
+        /// The file.
+        file: String,
+    },
     /// The temporary file for particles cannot be used.
     #[error("a temporary file in {}: {error}", .folder.display())]
     Spool {

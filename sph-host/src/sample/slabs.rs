@@ -44,19 +44,24 @@ impl Slabs {
         most: usize,
         request: &Request,
     ) -> Result<(Self, Span, Vec<usize>), SampleError> {
-        let mut outline = Outline::default();
-        for piece in Pieces::open(path, most)? {
-            let piece = piece?;
-            table::check_coordinates(&piece)?;
-            outline.add(&table::particles(piece, None, request)?)?;
-        }
+        let first = FirstReading::new(path, most, request)?;
+        Self::read_again(path, most, request, &first)
+    }
+
+    /// Reads the file for the second time.
+    fn read_again(
+        path: &Path,
+        most: usize,
+        request: &Request,
+        first: &FirstReading,
+    ) -> Result<(Self, Span, Vec<usize>), SampleError> {
         let empty = || SampleError::NoParticles { file: path.display().to_string() };
-        let span = outline.span()?.ok_or_else(empty)?;
+        let span = first.outline.span()?.ok_or_else(empty)?;
         let axes = planes::axes(&span.file, &span.coordinates, request.dim)?;
         let extent = |axis: usize| span.coordinates[axis].1 - span.coordinates[axis].0;
         let longest = axes.iter().copied().max_by(|&a, &b| extent(a).total_cmp(&extent(b)));
         let axis = longest.unwrap_or(0);
-        let cuts = outline.cuts(axis, span.count.div_ceil(most.max(1)));
+        let cuts = first.outline.cuts(axis, span.count.div_ceil(most.max(1)));
         let (lower, upper) = span.coordinates[axis];
         // positions are rounded to the scalar, which has 23 bits for what all span at least
         let rounding = (upper - lower) * 2_f64.powi(-20);
@@ -64,10 +69,17 @@ impl Slabs {
         let spool = tempfile::tempfile().map_err(no_spool)?;
         let segments = vec![Vec::new(); cuts.len() + 1];
         let mut slabs = Self { axis, cuts, reach, spool, segments };
+        let changed = || SampleError::Changed { file: path.display().to_string() };
+        let mut digest = 0;
         for piece in Pieces::open(path, most)? {
-            slabs.write(&table::particles(piece?, None, request)?).map_err(no_spool)?;
+            let particles = table::particles(piece?, None, request)?;
+            if in_columns(&particles).len() != first.columns {
+                return Err(changed());
+            }
+            digest = add_to_digest(digest, &particles);
+            slabs.write(&particles).map_err(no_spool)?;
         }
-        Ok((slabs, span, axes))
+        if digest == first.digest { Ok((slabs, span, axes)) } else { Err(changed()) }
     }
 
     /// The numbers of the points in each slab.
@@ -128,6 +140,40 @@ impl Slabs {
     }
 }
 
+/// What was read of a file for the first time.
+struct FirstReading {
+    outline: Outline,
+    /// How many numbers a particle has.
+    columns: usize,
+    /// Of all numbers, in their order.
+    digest: u64,
+}
+
+impl FirstReading {
+    fn new(path: &Path, most: usize, request: &Request) -> Result<Self, SampleError> {
+        let mut reading = Self { outline: Outline::default(), columns: 0, digest: 0 };
+        for piece in Pieces::open(path, most)? {
+            let piece = piece?;
+            table::check_coordinates(&piece)?;
+            let particles = table::particles(piece, None, request)?;
+            reading.columns = in_columns(&particles).len();
+            reading.digest = add_to_digest(reading.digest, &particles);
+            reading.outline.add(&particles)?;
+        }
+        Ok(reading)
+    }
+}
+
+/// Goes on with a digest: other numbers, or as many in another order, give another one but for one chance in 2⁶⁴.
+fn add_to_digest(digest: u64, particles: &Particles) -> u64 {
+    let columns = in_columns(particles);
+    (0..particles.len()).fold(digest, |digest, row| {
+        columns.iter().fold(digest, |digest, column| {
+            (digest.rotate_left(5) ^ column[row].to_bits()).wrapping_mul(0x9e37_79b9_7f4a_7c15)
+        })
+    })
+}
+
 fn no_spool(error: io::Error) -> SampleError {
     SampleError::Spool { folder: std::env::temp_dir(), error }
 }
@@ -165,5 +211,59 @@ fn from_columns(columns: Vec<Vec<f64>>, span: &Span) -> Particles {
                 values: next(),
             })
             .collect(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::estimate_choice::Estimate;
+    use crate::kernel_choice::KernelName;
+    use crate::sample::request::{ParticleSource, SamplePoints, SupportFrom};
+    use crate::scalar_choice::ScalarName;
+
+    fn request(path: &Path) -> Request {
+        Request {
+            particles: ParticleSource::File(path.to_owned()),
+            at: SamplePoints::Grid { counts: vec![2, 2], bounds: None },
+            kernel: KernelName::Poly6,
+            dim: None,
+            quantities: Vec::new(),
+            gradient: false,
+            support: Some(SupportFrom::Radius(0.5)),
+            estimate: Estimate::Plain,
+            mass: None,
+            recompute_density: false,
+            scalar: ScalarName::F64,
+            threads: None,
+            chunk: Some(2),
+            exact: false,
+        }
+    }
+
+    #[test]
+    fn a_file_that_changed_between_its_readings_is_an_error() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("p.csv");
+        let request = request(&path);
+        let read = |text: &str, later: &str| {
+            std::fs::write(&path, text).unwrap();
+            let first = FirstReading::new(&path, 2, &request).unwrap();
+            std::fs::write(&path, later).unwrap();
+            Slabs::read_again(&path, 2, &request, &first).map(|(slabs, ..)| slabs.segments.len())
+        };
+        let text = "x,y,m\n0,0,1\n1,0,1\n0,1,1\n";
+        assert!(read(text, text).is_ok());
+        for later in [
+            "x,y,m\n0,0,1\n1,0,1\n",
+            "x,y,m\n0,0,1\n1,0,1\n0,1,1\n2,2,1\n",
+            "x,y,m\n0,0,1\n1,0,1\n0,1,2\n",
+            "x,y,m\n1,0,1\n0,0,1\n0,1,1\n",
+            "x,y,z,m\n0,0,0,1\n1,0,0,1\n0,1,0,1\n",
+        ] {
+            let error = read(text, later).unwrap_err();
+            assert!(matches!(error, SampleError::Changed { .. }), "{later}: {error}");
+            assert!(error.to_string().contains("p.csv: changed"), "{error}");
+        }
     }
 }
