@@ -2,31 +2,37 @@
 
 use crate::{Fnv, Item};
 use sph_core::Error;
-use sph_core::fluid::{OpenBox, Particle, PositionBasedFluid};
+use sph_core::fluid::{OpenBox, Particle, PositionBasedFluid, Settings};
 use sph_core::scalar::compact::Compact;
 
 const FRAMES: i32 = 600;
-const COLUMNS: i32 = 6;
 const PARTICLES: usize = 48;
 
 /// Gravity in h/1000 a frame², which turns every 75 frames.
-const TURNS: [[i32; 2]; 4] = [[0, -6], [4, -4], [6, 0], [4, 4]];
+const TURNS: [[i32; 3]; 4] = [[0, -6, 0], [4, -4, -4], [6, 0, 2], [4, 4, -3]];
 
-/// The digests of one scalar.
+/// The digests of one scalar in D dimensions: `CELLS` is 6 to the power of D.
 ///
 /// # Errors
 /// The fluid is in the range of every scalar that this is meant for; an error says that one is not.
-pub(crate) fn digest<T: Compact>(emit: &mut impl FnMut(Item)) -> Result<(), Error> {
-    let walls = OpenBox::new([T::ratio(11, 2); 2]);
-    let mut fluid = PositionBasedFluid::<T, _, 2, PARTICLES, 36, u8>::new(walls);
+pub(crate) fn digest<T: Compact, const D: usize, const CELLS: usize>(
+    emit: &mut impl FnMut(Item),
+) -> Result<(), Error> {
+    let walls = OpenBox::new([T::ratio(11, 2); D]);
+    let (settings, columns) = if D == 2 { (Settings::DEFAULT, 6) } else { (Settings::IN_3D, 4) };
+    let mut fluid = PositionBasedFluid::<T, _, D, PARTICLES, CELLS, u8>::with_settings(walls, settings);
     for k in 0..PARTICLES as i32 {
-        let position = [k % COLUMNS, k / COLUMNS].map(|n| T::ratio(2 * n + 1, 4));
-        fluid.add(Particle::new(position, [T::ZERO; 2])).map_err(|rejected| rejected.reason)?;
+        let place = |axis: usize| k / i32::pow(columns, axis as u32);
+        let position: [T; D] = core::array::from_fn(|axis| {
+            let column = if axis == D - 1 { place(axis) } else { place(axis) % columns };
+            T::ratio(2 * column + 1, 4)
+        });
+        fluid.add(Particle::new(position, [T::ZERO; D])).map_err(|rejected| rejected.reason)?;
     }
     for frame in 0..FRAMES {
-        let [x, y] = TURNS[frame as usize / 75 % TURNS.len()];
-        let shake = (frame * 7 % 5 - 2) * 3;
-        fluid.step([T::ratio(x + shake, 1000), T::ratio(y, 1000)]);
+        let mut gravity = TURNS[frame as usize / 75 % TURNS.len()];
+        gravity[0] += (frame * 7 % 5 - 2) * 3;
+        fluid.step(core::array::from_fn(|axis| T::ratio(gravity[axis], 1000)));
     }
     let mut digests = [Fnv::new(); 3];
     for particle in fluid.particles() {
@@ -35,7 +41,7 @@ pub(crate) fn digest<T: Compact>(emit: &mut impl FnMut(Item)) -> Result<(), Erro
         digests[2].add(particle.pressure().canonical_bits());
     }
     for (quantity, digest) in ["positions", "velocities", "pressures"].into_iter().zip(digests) {
-        emit(Item { scalar: T::NAME, dim: 2, by: "position-based", quantity, digest: digest.get() });
+        emit(Item { scalar: T::NAME, dim: D, by: "position-based", quantity, digest: digest.get() });
     }
     Ok(())
 }

@@ -60,9 +60,12 @@ pub fn all(mut emit: impl FnMut(Item)) -> Result<(), Error> {
 /// # Errors
 /// As [`items`].
 pub fn fluids(mut emit: impl FnMut(Item)) -> Result<(), Error> {
-    fluid::digest::<f32>(&mut emit)?;
-    fluid::digest::<Saturating<I16F16>>(&mut emit)?;
-    fluid::digest::<Saturating<I8F24>>(&mut emit)
+    fluid::digest::<f32, 2, 36>(&mut emit)?;
+    fluid::digest::<Saturating<I16F16>, 2, 36>(&mut emit)?;
+    fluid::digest::<Saturating<I8F24>, 2, 36>(&mut emit)?;
+    fluid::digest::<f32, 3, 216>(&mut emit)?;
+    fluid::digest::<Saturating<I16F16>, 3, 216>(&mut emit)?;
+    fluid::digest::<Saturating<I8F24>, 3, 216>(&mut emit)
 }
 
 /// Every digest of one scalar.
