@@ -9,7 +9,11 @@ pub(super) fn solve<T: Scalar, const D: usize>(mut m: [[T; D]; D], mut b: [T; D]
     for column in 0..D {
         let pivot = largest_below(&m, column);
         m.swap(column, pivot);
-        b.swap(column, pivot);
+        // swapped by hand: `swap` keeps a check of the index here on Cortex-M0 with link-time optimisation
+        if let Some(&value) = b.get(pivot) {
+            b[pivot] = b[column];
+            b[column] = value;
+        }
         let (pivot_row, pivot_value) = (m[column], b[column]);
         if pivot_row[column] == T::ZERO {
             return None;
