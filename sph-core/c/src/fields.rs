@@ -7,7 +7,7 @@ use crate::code::{self, of_result};
 use crate::export::export;
 use crate::sums::{self, Request, Results};
 use core::ffi::{CStr, c_char};
-use sph_core::for_each_kernel;
+use sph_core::{Arithmetic, for_each_kernel};
 
 /// The functions of a number type and dimension.
 macro_rules! fields {
@@ -63,7 +63,11 @@ macro_rules! fields {
                     // SAFETY: as the header says.
                     of_result(unsafe {
                         request.estimate(values, point, Results(value, gradient), |field, w, x| {
-                            Some(field.interpolate_with_gradient_at(w, x))
+                            if gradient.is_null() {
+                                Some((field.interpolate_at(w, x), [<$T>::ZERO; $D]))
+                            } else {
+                                Some(field.interpolate_with_gradient_at(w, x))
+                            }
                         })
                     })
                 }

@@ -7,8 +7,38 @@ use sph_core::{
     BruteForce, Domain, Field, Influence, KernelInfluence, Scalar, Sources, for_each_kernel, kernel,
 };
 
+/// What sums ask of a kernel's influence: a table of no more than that.
+pub(crate) trait Weights<T, const D: usize> {
+    /// h
+    fn support_radius(&self) -> T;
+    /// W
+    fn influence(&self, distance_squared: T) -> T;
+    /// ∇W
+    fn gradient(&self, x: &[T; D], distance_squared: T) -> [T; D];
+    /// W and ∇W
+    fn both(&self, x: &[T; D], distance_squared: T) -> (T, [T; D]);
+}
+
+impl<T: Scalar, K: kernel::Kernel, const D: usize> Weights<T, D> for KernelInfluence<T, D, K> {
+    fn support_radius(&self) -> T {
+        Influence::support_radius(self)
+    }
+
+    fn influence(&self, distance_squared: T) -> T {
+        Influence::influence(self, distance_squared)
+    }
+
+    fn gradient(&self, x: &[T; D], distance_squared: T) -> [T; D] {
+        Influence::gradient(self, x, distance_squared)
+    }
+
+    fn both(&self, x: &[T; D], distance_squared: T) -> (T, [T; D]) {
+        self.value_and_gradient(x, distance_squared)
+    }
+}
+
 /// Any kernel's influence.
-pub(crate) struct Any<'a, T, const D: usize>(&'a dyn Influence<T, D>);
+pub(crate) struct Any<'a, T, const D: usize>(&'a dyn Weights<T, D>);
 
 impl<T: Scalar, const D: usize> Influence<T, D> for Any<'_, T, D> {
     fn support_radius(&self) -> T {
@@ -24,7 +54,7 @@ impl<T: Scalar, const D: usize> Influence<T, D> for Any<'_, T, D> {
     }
 
     fn value_and_gradient(&self, x: &[T; D], distance_squared: T) -> (T, [T; D]) {
-        self.0.value_and_gradient(x, distance_squared)
+        self.0.both(x, distance_squared)
     }
 }
 
