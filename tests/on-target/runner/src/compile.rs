@@ -50,7 +50,7 @@ pub(crate) fn build_for(targets: &[Target], arguments: &[&str]) -> Result<Vec<(T
     Ok(all)
 }
 
-/// Runs a cargo command; gives the executables, and the libraries with C linkage, in the order of their names.
+/// Runs a cargo command; gives the executables and the libraries with C linkage in the order of their names.
 pub(crate) fn run(mut command: Command) -> Result<Vec<Firmware>> {
     command
         .current_dir(crate::root())
@@ -61,7 +61,8 @@ pub(crate) fn run(mut command: Command) -> Result<Vec<Firmware>> {
     let mut built = Vec::new();
     for message in Message::parse_stream(BufReader::new(stdout)) {
         if let Message::CompilerArtifact(artifact) = message? {
-            let module = artifact.filenames.iter().find(|file| file.extension() == Some("wasm"));
+            let is_library = |ending: Option<&str>| matches!(ending, Some("wasm" | "a"));
+            let module = artifact.filenames.iter().find(|file| is_library(file.extension()));
             if let Some(path) = artifact.executable.as_ref().or(module) {
                 built.push(Firmware { name: artifact.target.name, path: path.into() });
             }

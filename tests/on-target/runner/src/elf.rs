@@ -4,6 +4,15 @@ use anyhow::{Context, Result};
 use object::{Object, ObjectSection, ObjectSymbol};
 use std::path::Path;
 
+/// Parts of the names of functions that panic.
+const TELLTALE: [&str; 6] =
+    ["panic", "unwrap_failed", "expect_failed", "slice_index_fail", "_fail_rt", "begin_unwind"];
+
+/// Whether a function of this name panics.
+pub(crate) fn is_panic(name: &str) -> bool {
+    TELLTALE.iter().any(|part| name.contains(part))
+}
+
 /// Sizes and symbols.
 #[derive(Clone, Debug)]
 pub(crate) struct Elf {
@@ -37,10 +46,17 @@ impl Elf {
         })
     }
 
+    /// What takes flash in an executable that promises no RAM.
+    pub(crate) fn flash(path: &Path) -> Result<u64> {
+        let bytes = std::fs::read(path).with_context(|| format!("cannot read {}", path.display()))?;
+        let file = object::File::parse(&*bytes)?;
+        let sizes =
+            [".text", ".data"].map(|name| file.section_by_name(name).map_or(0, |section| section.size()));
+        Ok(sizes.iter().sum())
+    }
+
     /// The symbols that lead to a panic.
     pub(crate) fn panics(&self) -> Vec<&str> {
-        const TELLTALE: [&str; 6] =
-            ["panic", "unwrap_failed", "expect_failed", "slice_index_fail", "_fail_rt", "begin_unwind"];
         self.matching(&TELLTALE)
     }
 

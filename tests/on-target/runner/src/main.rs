@@ -1,5 +1,6 @@
 //! Builds the firmware for every target, runs it under QEMU and holds the outcome against what is committed.
 
+mod c;
 mod compile;
 mod counts;
 mod digests;
@@ -23,12 +24,12 @@ use toolchain::Toolchain;
 const USAGE: &str = "usage: tests/on-target/run [OPTION]
 
 Without an option, everything: the suites and the digests under QEMU, the search for panics, the footprint, the
-counts of instructions, the fluid, the example for real chips.
+counts of instructions, the fluid, the example for real chips, the C library.
 
-  --only PART         one of: suites, self-check, digests, panics, footprint, counts, fluid, hardware
+  --only PART         one of: suites, self-check, digests, panics, footprint, counts, fluid, hardware, c
   --self-check        the same as --only self-check
   --overflow-checks   what can panic when integer overflow is checked; judges nothing
-  --update            replaces the committed tables of footprints and counts
+  --update            replaces the committed tables
   --update-golden     replaces the golden digests by those of this computer";
 
 /// What is to be done.
@@ -89,7 +90,7 @@ fn run(options: &Options) -> Result<bool> {
     if options.overflow_checks {
         return panics::with_overflow_checks().map(|()| true);
     }
-    let parts: [(&str, &dyn Fn() -> Result<bool>); 8] = [
+    let parts: [(&str, &dyn Fn() -> Result<bool>); 9] = [
         ("suites", &suites::check),
         ("self-check", &suites::self_check),
         ("digests", &digests::check),
@@ -98,6 +99,7 @@ fn run(options: &Options) -> Result<bool> {
         ("counts", &|| counts::check(options.update)),
         ("fluid", &|| fluid::check(options.update)),
         ("hardware", &hardware::check),
+        ("c", &|| c::check(options.update)),
     ];
     let chosen = |name: &str| options.only.as_deref().is_none_or(|only| only == name);
     if !parts.iter().any(|(name, _)| chosen(name)) {

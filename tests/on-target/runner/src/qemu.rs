@@ -21,8 +21,26 @@ pub(crate) struct Outcome {
     pub(crate) log: Vec<String>,
 }
 
-/// Runs firmware to its end.
+/// Runs firmware to its end; its log is defmt's.
 pub(crate) fn run(target: &Target, elf: &Path, more: &[&str]) -> Result<Outcome> {
+    let (success, bytes, errors) = start(target, elf, more)?;
+    if !success {
+        eprintln!("{errors}");
+    }
+    Ok(Outcome { success, log: decode(elf, &bytes)? })
+}
+
+/// Runs firmware to its end; its log is text.
+pub(crate) fn run_printing(target: &Target, elf: &Path) -> Result<Outcome> {
+    let (success, bytes, errors) = start(target, elf, &[])?;
+    // programs print to the stream that QEMU warns on
+    let printed = errors.replace("Timer with period zero, disabling\n", "");
+    let text = String::from_utf8_lossy(&bytes) + printed.as_str();
+    Ok(Outcome { success, log: text.lines().map(str::to_owned).collect() })
+}
+
+/// Whether it ended well, and what came out of both streams.
+fn start(target: &Target, elf: &Path, more: &[&str]) -> Result<(bool, Vec<u8>, String)> {
     let (program, machine) = target.qemu();
     let mut child = Command::new(program)
         .args(machine)
@@ -43,10 +61,9 @@ pub(crate) fn run(target: &Target, elf: &Path, more: &[&str]) -> Result<Outcome>
     });
     let success = ends_well(&mut child)?;
     let Ok(bytes) = reader.join() else { bail!("the thread that reads from QEMU panicked") };
-    if !success {
-        std::io::copy(&mut child.stderr.take().context("QEMU's errors are piped")?, &mut std::io::stderr())?;
-    }
-    Ok(Outcome { success, log: decode(elf, &bytes?)? })
+    let mut errors = String::new();
+    child.stderr.take().context("QEMU's errors are piped")?.read_to_string(&mut errors)?;
+    Ok((success, bytes?, errors))
 }
 
 fn ends_well(child: &mut Child) -> Result<bool> {
