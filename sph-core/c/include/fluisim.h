@@ -12,7 +12,7 @@
  * A null pointer gives FLUISIM_NULL; one that is not aligned as its type must be FLUISIM_MISALIGNED; a NaN, an infinity or an end of
  * the fixed-point range FLUISIM_NOT_FINITE. Memory that init did not make a fluid of gives FLUISIM_NOT_INITIALISED. That holds for
  * every function; what else it returns stands beside it. A pointer that is neither null nor misaligned has to point to what its type
- * says, in the number that is asked for; no library can check that.
+ * says, in the number that is asked for, and what is written must not overlap what is read; no library can check that.
  *
  * Threads and interrupts. A fluid may be used by one at a time; different ones by several.
  */

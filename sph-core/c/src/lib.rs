@@ -7,9 +7,8 @@
 //! * [`fields`]: density, value and gradient at a point, over the sums in `sums.rs`.
 //! * [`export`]: the macro that makes the exported functions and the list of their types, which a test holds against the header.
 //!
-//! This is the only package with `unsafe`: pointers of a caller cannot be had without. [`pointer`] turns them into references, and
-//! says what is checked and what the caller has to promise. Everything else is sph-core, which has no `unsafe`, no allocation and
-//! no panic.
+//! Pointers of a caller cannot be had without `unsafe`: [`pointer`] turns them into references, and says what is checked and what
+//! the caller has to promise. Everything else is sph-core, which has no `unsafe`, no allocation and no panic.
 
 #![no_std]
 #![deny(unsafe_op_in_unsafe_fn, clippy::undocumented_unsafe_blocks)]

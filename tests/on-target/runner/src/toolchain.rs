@@ -6,7 +6,7 @@ use std::process::{Command, Stdio};
 
 /// What to install where nothing is found.
 const ADVICE: &str = "install either\n  \
-    rustup target add thumbv6m-none-eabi thumbv7m-none-eabi thumbv7em-none-eabihf \\\n      \
+    rustup target add thumbv6m-none-eabi thumbv7m-none-eabi thumbv7em-none-eabi thumbv7em-none-eabihf \\\n      \
     thumbv8m.main-none-eabihf riscv32imc-unknown-none-elf wasm32v1-none\n\
     or, on Debian,\n  \
     apt-get install rustc-web cargo-web rust-web-src lld";

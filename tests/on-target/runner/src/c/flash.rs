@@ -10,7 +10,7 @@ const MARGIN: f64 = 1.10;
 /// Measures both and compares with the table, or replaces it; true when no row has grown. Where C is beyond the margin, it says so.
 pub(crate) fn check(archives: &Archives, update: bool) -> Result<bool> {
     let mut rows = Vec::new();
-        for (machine, target) in [(M0, target::M0), (M4F, target::M4F)] {
+    for (machine, target) in [(M0, target::M0), (M4F, target::M4F)] {
         let Some(archive) = archives.get(machine.triple).filter(|_| machine.has_compiler()) else { continue };
         let in_c = |options: &[&str]| flash(&machine, &archive.path, options);
         let empty = in_c(&["-DEMPTY"])?;
