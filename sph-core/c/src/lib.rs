@@ -7,7 +7,7 @@
 //! * [`fields`]: density, value and gradient at a point, over the sums in `sums.rs`.
 //! * [`export`]: the macro that makes the exported functions and the list of their types, which a test holds against the header.
 //!
-//! Pointers of a caller cannot be had without `unsafe`: [`pointer`] turns them into references, and says what is checked and what
+//! Pointers of a caller cannot be had without `unsafe`: [`mod@pointer`] turns them into references, and says what is checked and what
 //! the caller has to promise. Everything else is sph-core, which has no `unsafe`, no allocation and no panic.
 
 #![no_std]
@@ -28,8 +28,9 @@ mod sums;
 /// 16.16 fixed point that stays at the ends of its range: `fluisim_q16` in C, where it is an `int32_t`.
 pub type Q16 = sph_core::scalar::fixed::Saturating<sph_core::scalar::fixed::I16F16>;
 
-/// No function can reach it: the build of the archives fails where one could.
-#[cfg(all(feature = "archive", not(test)))]
+/// No function can reach it: the build of the archives fails where one could. Archives abort; what links std, as tests do, unwinds and
+/// has a handler.
+#[cfg(all(feature = "archive", panic = "abort"))]
 #[panic_handler]
 fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
     loop {

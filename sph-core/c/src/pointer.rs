@@ -74,7 +74,7 @@ pub unsafe fn slice<'a, T>(pointer: *const T, count: usize) -> Result<&'a [T], i
 /// A pointer that is not null points to `count` elements, which nobody else uses during `'a`.
 ///
 /// # Errors
-/// As [`slice`].
+/// As [`slice()`].
 pub unsafe fn slice_mut<'a, T>(pointer: *mut T, count: usize) -> Result<&'a mut [T], i32> {
     if count == 0 {
         return Ok(&mut []);

@@ -110,7 +110,7 @@ impl<T: Scalar, const D: usize> Request<T, D> {
     /// Estimates a field at a point; `estimate` gives value and gradient where there are any.
     ///
     /// # Safety
-    /// As [`samples`](Self::samples), for `values` as well; `point` and the results as in [`pointer`].
+    /// As [`samples`](Self::samples), for `values` as well; `point` and the results as in [`mod@pointer`].
     pub(crate) unsafe fn estimate(
         self,
         values: *const T,

@@ -2,10 +2,10 @@
 
 use core::any::type_name;
 use core::ffi::{c_char, c_void};
-use fluisim::export::{self, Behaviour, Signature};
-use fluisim::fluid::Fluid;
-use fluisim::lamps::{self, Lamps};
-use fluisim::{Q16, code, fields};
+use fluisim_c::export::{self, Behaviour, Signature};
+use fluisim_c::fluid::Fluid;
+use fluisim_c::lamps::{self, Lamps};
+use fluisim_c::{Q16, code, fields};
 use sph_core::fluid::Particle;
 use std::collections::BTreeMap;
 
@@ -144,7 +144,7 @@ fn the_macros_of_sizes_have_the_numbers_of_the_library() {
         );
         assert!(HEADER.contains(&line), "the header does not have\n{line}");
     }
-    assert_eq!(fluisim::fluid::HEAD, 16 + 6 * size_of::<usize>());
+    assert_eq!(fluisim_c::fluid::HEAD, 16 + 6 * size_of::<usize>());
     for &(columns, rows, bytes) in lamps::SIZES {
         assert_eq!(bytes, 8 + 2 * columns * rows, "FLUISIM_LAMPS_BYTES({columns}, {rows})");
     }

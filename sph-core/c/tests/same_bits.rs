@@ -1,8 +1,8 @@
 //! The fluid through the functions of C has the bits of `PositionBasedFluid`, in every container.
 
 use core::ptr::null_mut;
-use fluisim::export::{f32_2d, f32_3d, q16_2d, q16_3d};
-use fluisim::{Q16, code};
+use fluisim_c::export::{f32_2d, f32_3d, q16_2d, q16_3d};
+use fluisim_c::{Q16, code};
 use sph_core::fluid::{Container, Disc, Mask, OpenBox, Particle, PositionBasedFluid, Settings};
 use sph_core::scalar::compact::Compact;
 use sph_core::{Arithmetic, Scalar};

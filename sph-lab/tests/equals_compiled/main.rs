@@ -1,7 +1,7 @@
 //! An emulated format gives the bits that its compiled type gives: operation by operation on hostile bits, and field by field.
 
 use proptest::prelude::*;
-use sph_core::kernel::{CubicSpline, Kernel, Poly6, WendlandC2};
+use sph_core::kernel::{CubicSpline, Poly6, WendlandC2};
 use sph_core::scalar::compact::Compact;
 use sph_core::scalar::fixed::types::{I1F7, I1F15, I1F31, I2F62, I3F13, I4F4, I8F0, I16F0, I32F0, I64F0};
 use sph_core::scalar::fixed::*;
