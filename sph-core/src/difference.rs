@@ -10,7 +10,7 @@
 
 use crate::{Accumulator, Scalar};
 
-/// The highest derivative that [`nth`] takes: C(33, 16) is the largest binomial coefficient of 32 bits.
+/// The highest derivative that [`nth`] takes: all C(33, k) are below 2³¹, and C(34, 17) is not.
 pub const HIGHEST: u32 = 33;
 
 /// f⁽ⁿ⁾(x) with the step s: (2s)^{-n} Σ (−1)^k C(n, k) f(x + (n − 2k) s), summed from k = 0 on; n = 0 gives f(x).

@@ -57,7 +57,7 @@ impl<T: Compact, const D: usize> Walls<T, D> {
     }
 }
 
-/// What marks a fluid of this number type and dimension.
+/// What marks a fluid of this number type and dimension; the names of the two types differ in length.
 const fn kind<T: Compact, const D: usize>() -> u32 {
     0x666c_7500 + 16 * T::NAME.len() as u32 + D as u32
 }

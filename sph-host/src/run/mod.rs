@@ -71,8 +71,8 @@ use parameters::Parameters;
 /// ```
 ///
 /// # Errors
-/// Options that contradict each other, a directory that is taken, in use by another process or cannot be written, or a run that failed: a number that is not
-/// finite. A particle that escaped does not end the run; see [`Summary::escaped`].
+/// Options that contradict each other, a directory that is taken, in use by another process or cannot be written, or a run that
+/// failed: a number that is not finite. A particle that escaped does not end the run; see [`Summary::escaped`].
 pub fn run(options: &Options, output: &Output, progress: &dyn Progress) -> Result<Summary, Error> {
     let folder = RunFolder::at(&output.directory)?;
     let stored = if output.earlier == Earlier::Resume { folder.stored(progress)? } else { None };

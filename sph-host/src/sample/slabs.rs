@@ -2,7 +2,7 @@
 //!
 //! The file is read twice, some particles at a time. The first time says what it spans, and so where slabs across its longest
 //! axis hold about as many particles each; the second time writes every particle to a temporary file for each slab that it
-//! matters to. What is summed within a slab depends on nothing beyond 2 h on both sides of it: sums reach h, and the densities
+//! matters to, and must read the same numbers. What is summed within a slab depends on nothing beyond 2 h on both sides of it: sums reach h, and the densities
 //! in them h more. Each slab is then evaluated as if it were all there is.
 
 use std::fs::File;
