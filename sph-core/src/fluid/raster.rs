@@ -4,11 +4,160 @@
 //! density(centre) = Σ_i V / w² (1 − |x_i − centre_x| / w)₊ (1 − |y_i − centre_y| / w)₊        V = 1/4, w = max(pixel, 1)
 //! ```
 //!
-//! A tent on each axis: no root, 1 inside the fluid at rest and about ½ at its surface.
-//! Lengths in units of h.
+//! A tent on each axis: no root, 1 inside the fluid at rest and about ½ at its surface. Each particle adds its share to the pixels
+//! under its tents, in integers: a product, a shift and a sum a pixel, without a division. Lengths in units of h.
+//!
+//! [`draw_density`] and [`light_lamps`] work on any memory; [`Raster`] is both in a grid whose size the type has.
 
 use crate::fluid::Particle;
 use crate::scalar::compact::Compact;
+
+/// Draws the density of particles into rows of so many `columns`, the first row at the bottom, `pixel` the side of a pixel;
+/// pixel (0, 0) begins at 0. [`Raster::FULL`] is fluid at rest.
+///
+/// A `pixel` that is no number above zero gives zeros, as particles do that are not finite. A particle adds to each pixel a
+/// whole number, the nearest one: above a side of 9 h that is nothing. What is left of the memory after whole rows is zero, and so
+/// is all beyond column or row 65,535. Positions within ±2¹⁵.
+///
+/// ```
+/// use sph_core::fluid::{Particle, Raster, raster::draw_density};
+/// let particles = [Particle::new([0.5_f32, 0.5], [0.0; 2])];
+/// let mut density = [0; 2 * 3];
+/// draw_density(&particles, 1.0, 2, &mut density);
+/// assert_eq!(density, [Raster::<2, 3>::FULL / 4, 0, 0, 0, 0, 0]); // a quarter of h² of fluid in the first pixel
+/// ```
+pub fn draw_density<T: Compact>(particles: &[Particle<T, 2>], pixel: T, columns: usize, density: &mut [u8]) {
+    density.fill(0);
+    let Some(rows) = density.len().checked_div(columns) else { return };
+    if !(pixel > T::ZERO && pixel.is_finite()) {
+        return;
+    }
+    let is_wide = pixel > T::ONE;
+    let per_width = if is_wide { T::ONE / pixel } else { T::ONE };
+    let grid = Grid::new(if is_wide { T::ONE } else { pixel }, per_width, [columns, rows]);
+    for particle in particles {
+        let mut position = particle.position();
+        if is_wide {
+            for x in &mut position {
+                *x = *x * per_width;
+            }
+        }
+        grid.add(position, columns, density);
+    }
+}
+
+/// Lights the lamps whose density is `on` at least, puts out those below `off`, and leaves those between as they are.
+///
+/// ```
+/// use sph_core::fluid::raster::light_lamps;
+/// let mut lamps = [false, false, true, true];
+/// light_lamps(&[100, 80, 80, 60], 96, 64, &mut lamps);
+/// assert_eq!(lamps, [true, false, true, false]);
+/// ```
+pub fn light_lamps(density: &[u8], on: u8, off: u8, lamps: &mut [bool]) {
+    for (lamp, &density) in lamps.iter_mut().zip(density) {
+        *lamp = density >= if *lamp { off } else { on };
+    }
+}
+
+/// w, the half of a tent's foot: lengths here are integers in units of w / 2¹⁶.
+const WIDTH: i32 = 1 << 16;
+/// Along an axis, pixels that are drawn at most: the product in [`Grid::first`] fits 32 bits.
+const MOST: usize = u16::MAX as usize;
+
+/// A length in units of 2^−16, rounded down.
+#[inline(always)]
+fn length<T: Compact>(x: T) -> i32 {
+    x.split(16).0 as i32
+}
+
+/// What the tents of all particles have in common.
+struct Grid {
+    /// The side of a pixel, at most w.
+    pixel: i32,
+    /// 2²⁴ over the side, rounded down.
+    inverse: u32,
+    /// 256 times what a particle in the middle of a pixel adds to it.
+    light: u32,
+    /// Where the tents of no pixel reach, on each axis.
+    end: [i32; 2],
+}
+
+impl Grid {
+    /// The side of a pixel and 1/w, in units in which the side is at most 1.
+    fn new<T: Compact>(pixel: T, per_width: T, counts: [usize; 2]) -> Self {
+        let pixel = length(pixel).clamp(1, WIDTH);
+        let per_width = u64::from(length(per_width).unsigned_abs());
+        let quarter = u64::from(Raster::<0, 0>::FULL) * 256 / 4;
+        let mut end = [0; 2];
+        for (end, count) in end.iter_mut().zip(counts) {
+            let all = (count.min(MOST) as u64).wrapping_mul(pixel as u64).wrapping_add(WIDTH as u64);
+            *end = all.min(i32::MAX as u64) as i32;
+        }
+        Self {
+            pixel,
+            inverse: (1_u32 << 24).checked_div(pixel as u32).unwrap_or(0),
+            light: (quarter.wrapping_mul(per_width).wrapping_mul(per_width) >> 32) as u32,
+            end,
+        }
+    }
+
+    /// No pixel before this one has its centre within w of x, which lies before the end of the axis.
+    #[inline(always)]
+    fn first(&self, x: i32) -> usize {
+        let before = x.wrapping_sub(WIDTH).max(0) as u32 >> 8;
+        (before.wrapping_mul(self.inverse) >> 16) as usize
+    }
+
+    /// How far the centre of a pixel is beyond the lower end of the tent about x.
+    #[inline(always)]
+    fn rise(&self, x: i32, index: usize) -> i32 {
+        (self.pixel / 2)
+            .wrapping_add(self.pixel.wrapping_mul(index as i32))
+            .wrapping_sub(x)
+            .wrapping_add(WIDTH)
+    }
+
+    /// Adds a particle to the pixels under its tents.
+    #[inline(always)]
+    fn add<T: Compact>(&self, [x, y]: [T; 2], columns: usize, density: &mut [u8]) {
+        let (within, [x, y]) = (x.is_finite() & y.is_finite(), [length(x), length(y)]);
+        if !within || x <= -WIDTH || y <= -WIDTH || x >= self.end[0] || y >= self.end[1] {
+            return;
+        }
+        let (column, row) = (self.first(x), self.first(y));
+        let from = self.rise(x, column);
+        let mut rise = self.rise(y, row);
+        let mut rest = density.get_mut(row.wrapping_mul(columns)..).unwrap_or_default();
+        while rise < 2 * WIDTH
+            && let Some((pixels, above)) = rest.split_at_mut_checked(columns)
+        {
+            let light = self.light.wrapping_mul(tent(rise)) >> 8;
+            self.add_row(pixels.get_mut(column..).unwrap_or_default(), from, light);
+            rise = rise.wrapping_add(self.pixel);
+            rest = above;
+        }
+    }
+
+    /// Adds so much light under a tent to the pixels of a row.
+    #[inline(always)]
+    fn add_row(&self, pixels: &mut [u8], mut rise: i32, light: u32) {
+        for pixel in pixels {
+            if rise >= 2 * WIDTH {
+                return;
+            }
+            let share = light.wrapping_mul(tent(rise)).wrapping_add(1 << 15) >> 16;
+            *pixel = pixel.saturating_add(share as u8);
+            rise = rise.wrapping_add(self.pixel);
+        }
+    }
+}
+
+/// 256 times the tent, at a place so far beyond its lower end.
+#[inline(always)]
+fn tent(rise: i32) -> u32 {
+    rise.min((2 * WIDTH).wrapping_sub(rise)).max(0) as u32 >> 8
+}
 
 /// W × H pixels, the first row at the bottom, each with a density and a lamp.
 ///
@@ -30,15 +179,6 @@ pub struct Raster<const W: usize, const H: usize> {
     off: u8,
 }
 
-/// [`FULL`](Raster::FULL) times a share of at most ¼, rounded: 5/8 of its 256ths, in integers, since a type of few integer bits does not
-/// hold the product.
-fn in_bytes<T: Compact>(share: T) -> u8 {
-    let (whole, rest) = share.split(8);
-    let fifths = rest.times(5).floor_to_i32().clamp(0, 4) as usize;
-    let eighths = whole.min(255).wrapping_mul(5).wrapping_add(fifths).wrapping_add(4);
-    (eighths / 8) as u8
-}
-
 impl<const W: usize, const H: usize> Raster<W, H> {
     /// The density of a pixel full of fluid at rest. Bytes end at 255, 1.6 times that.
     pub const FULL: u8 = 160;
@@ -53,46 +193,36 @@ impl<const W: usize, const H: usize> Raster<W, H> {
         Self { density: [[0; W]; H], lit: [[false; W]; H], on, off }
     }
 
-    /// Draws the particles anew, `pixel` the side of a pixel; pixel (0, 0) begins at 0. A `pixel` that is no number above
-    /// zero shows nothing.
+    /// Draws the particles anew by [`draw_density`] and [`light_lamps`], `pixel` the side of a pixel; pixel (0, 0) begins at 0. A
+    /// `pixel` that is no number above zero shows nothing.
     pub fn update<T: Compact>(&mut self, particles: &[Particle<T, 2>], pixel: T) {
-        self.density = [[0; W]; H];
-        if pixel > T::ZERO && pixel.is_finite() {
-            let width = pixel.max(T::ONE);
-            for particle in particles {
-                self.add(particle.position(), pixel, width);
-            }
-        }
-        for (lamps, densities) in self.lit.iter_mut().zip(&self.density) {
-            for (lamp, &density) in lamps.iter_mut().zip(densities) {
-                *lamp = density >= if *lamp { self.off } else { self.on };
-            }
-        }
-    }
-
-    fn add<T: Compact>(&mut self, [x, y]: [T; 2], pixel: T, width: T) {
-        let span = |coordinate: T, count: usize| {
-            let first = ((coordinate - width) / pixel).floor_to_i32().max(0) as usize;
-            let last = ((coordinate + width) / pixel).floor_to_i32().max(0) as usize;
-            (first.min(count), last.saturating_add(1).min(count))
-        };
-        let tent = |coordinate: T, index: usize| {
-            let centre = pixel.times(index as i32) + pixel * T::ratio(1, 2);
-            (T::ONE - (coordinate - centre).abs() / width).positive_part()
-        };
-        let share = T::ratio(1, 4) / width / width;
-        let (columns, rows) = (span(x, W), span(y, H));
-        for (row, densities) in self.density.iter_mut().enumerate().take(rows.1).skip(rows.0) {
-            let along = tent(y, row) * share;
-            for (column, density) in densities.iter_mut().enumerate().take(columns.1).skip(columns.0) {
-                *density = density.saturating_add(in_bytes(along * tent(x, column)));
-            }
-        }
+        let density = self.density.as_flattened_mut();
+        draw_density(particles, pixel, W, density);
+        light_lamps(density, self.on, self.off, self.lit.as_flattened_mut());
     }
 
     /// The density of a pixel, [`FULL`](Self::FULL) for fluid at rest; 0 outside the grid.
     pub fn density(&self, column: usize, row: usize) -> u8 {
         self.density.get(row).and_then(|densities| densities.get(column)).copied().unwrap_or(0)
+    }
+
+    /// The densities, row by row from the bottom.
+    pub const fn densities(&self) -> &[[u8; W]; H] {
+        &self.density
+    }
+
+    /// The density as a brightness for displays in grey: 255 for fluid at rest, 0 outside the grid.
+    ///
+    /// ```
+    /// use sph_core::fluid::{Particle, Raster};
+    /// let mut grey = Raster::<1, 1>::new();
+    /// grey.update(&[Particle::new([0.5_f32, 0.5], [0.0; 2]); 2], 1.0); // half as much fluid as the pixel holds
+    /// assert_eq!(grey.brightness(0, 0), 127);
+    /// ```
+    pub fn brightness(&self, column: usize, row: usize) -> u8 {
+        let density = self.density(column, row);
+        // 160 · 51 / 32 = 255
+        density.saturating_add((u16::from(density).wrapping_mul(19) / 32) as u8)
     }
 
     /// Whether a lamp is on; false outside the grid.
@@ -135,131 +265,4 @@ impl<const W: usize, const H: usize> Default for Raster<W, H> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Fluid that fills the box from 0 to 4 × 3 at the spacing of rest.
-    fn filled(shift: f32) -> [Particle<f32, 2>; 48] {
-        core::array::from_fn(|k| {
-            Particle::new([0.25 + 0.5 * (k % 8) as f32 + shift, 0.25 + 0.5 * (k / 8) as f32], [0.0; 2])
-        })
-    }
-
-    /// One particle gives a pixel a quarter of [`Raster::FULL`], 40: more than the largest number of these types.
-    #[cfg(feature = "fixed")]
-    #[test]
-    fn a_type_that_ends_below_a_share_of_light_gives_it_all_the_same() {
-        use crate::scalar::fixed::{Saturating, types};
-        fn densities<T: Compact>() -> [[u8; 4]; 3] {
-            let mut raster = Raster::<4, 3>::new();
-            let at = |k: i32| [T::ratio(3 * k % 31, 8), T::ratio(7 * k % 23, 8)];
-            let particles: [Particle<T, 2>; 20] =
-                core::array::from_fn(|k| Particle::new(at(k as i32), [T::ZERO; 2]));
-            raster.update(&particles, T::ONE);
-            raster.density
-        }
-        let exact = densities::<f64>();
-        assert!(exact.iter().flatten().any(|density| *density > 40));
-        for found in [densities::<Saturating<types::I5F11>>(), densities::<Saturating<types::I4F12>>()] {
-            for (found, exact) in found.iter().flatten().zip(exact.iter().flatten()) {
-                assert!(found.abs_diff(*exact) <= 2, "{found} for {exact}");
-            }
-        }
-    }
-
-    #[test]
-    fn the_inside_is_full_and_the_outside_dark() {
-        for pixel in [0.5_f32, 1.0] {
-            let mut raster = Raster::<12, 12>::new();
-            raster.update(&filled(0.0), pixel);
-            let middle = (1.5 / pixel) as usize;
-            let density = i32::from(raster.density(middle, middle));
-            assert!((density - 160).abs() <= 10, "{density} at {pixel}");
-            let beyond = (5.0 / pixel) as usize;
-            assert_eq!((raster.density(beyond, 0), raster.is_lit(beyond, 0)), (0, false));
-            assert!(raster.is_lit(middle, middle));
-        }
-    }
-
-    #[test]
-    fn a_lamp_at_the_surface_does_not_flicker() {
-        let mut raster = Raster::<8, 4>::new();
-        let mut changes = 0;
-        let mut was = false;
-        for frame in 0..100 {
-            // the surface trembles by a fifth of a pixel around the middle of the fifth column
-            let shift = if frame % 2 == 0 { 0.4 } else { 0.6 };
-            raster.update(&filled(shift), 1.0);
-            changes += usize::from(raster.is_lit(4, 1) != was);
-            was = raster.is_lit(4, 1);
-        }
-        assert!(changes <= 1, "{changes}");
-    }
-
-    #[test]
-    fn a_lamp_stays_as_it_is_between_the_thresholds() {
-        let mut raster = Raster::<8, 4>::new();
-        let (mut dark_between, mut lit_between, mut was) = (0, 0, false);
-        // the surface goes right through the fifth column and back
-        for step in (0..=100).chain((0..100).rev()) {
-            raster.update(&filled(step as f32 / 100.0), 1.0);
-            let (density, is_lit) = (raster.density(4, 1), raster.is_lit(4, 1));
-            match density {
-                0..64 => assert!(!is_lit),
-                96.. => assert!(is_lit),
-                _ => {
-                    assert_eq!(is_lit, was, "{density}");
-                    dark_between += usize::from(!is_lit);
-                    lit_between += usize::from(is_lit);
-                }
-            }
-            was = is_lit;
-        }
-        assert!(dark_between > 0 && lit_between > 0);
-    }
-
-    #[test]
-    fn senseless_pixels_show_nothing() {
-        let mut raster = Raster::<3, 3>::new();
-        for pixel in [0.0, -1.0, f32::NAN, f32::INFINITY] {
-            raster.update(&filled(0.0), pixel);
-            assert_eq!(raster.lamps(), &[[false; 3]; 3]);
-        }
-        assert_eq!((raster.density(3, 0), raster.is_lit(0, 3)), (0, false));
-    }
-
-    #[cfg(feature = "embedded-graphics")]
-    #[test]
-    fn is_drawn_with_the_last_row_at_the_top() {
-        use core::convert::Infallible;
-        use embedded_graphics_core::{Pixel, pixelcolor::BinaryColor, prelude::*};
-
-        struct Display([[bool; 6]; 6]);
-        impl OriginDimensions for Display {
-            fn size(&self) -> Size {
-                Size::new(6, 6)
-            }
-        }
-        impl DrawTarget for Display {
-            type Color = BinaryColor;
-            type Error = Infallible;
-            fn draw_iter<I: IntoIterator<Item = Pixel<BinaryColor>>>(
-                &mut self,
-                pixels: I,
-            ) -> Result<(), Infallible> {
-                for Pixel(at, colour) in pixels {
-                    self.0[at.y as usize][at.x as usize] = colour.is_on();
-                }
-                Ok(())
-            }
-        }
-
-        let mut raster = Raster::<4, 3>::new();
-        raster.update(&filled(0.0)[..8], 1.0); // one row of particles at the bottom, fluid half a pixel deep
-        let mut display = Display([[false; 6]; 6]);
-        let lit = |density, _| BinaryColor::from(density > 40);
-        raster.draw(&mut display, Point::new(1, 2), lit).unwrap();
-        let rows = display.0.map(|row| row.iter().filter(|&&on| on).count());
-        assert_eq!(rows, [0, 0, 0, 0, 4, 0]);
-    }
-}
+mod tests;
