@@ -28,6 +28,7 @@ pub mod estimate_choice;
 pub mod fast;
 pub mod io;
 pub mod kernel_choice;
+mod memory;
 mod named_enum;
 pub mod output;
 mod parallel;

@@ -1,7 +1,7 @@
 //! The table that every reader fills.
 
 use super::error::{Parsed, Problem, ReadError, counted};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 /// The names of the coordinates, axis by axis.
 pub(super) const AXES: [&str; 3] = ["x", "y", "z"];
@@ -270,13 +270,14 @@ pub(super) fn check_names<'a>(names: impl Iterator<Item = &'a str>) -> Result<()
 /// Gives each empty name of a file's arrays one: `array_` and its position from 0, with underscores behind it where that
 /// name is taken.
 pub(crate) fn fill_empty_names(mut names: Vec<&mut String>) {
-    for index in 0..names.len() {
-        if names[index].is_empty() {
-            let mut name = format!("array_{index}");
-            while names.iter().any(|other| **other == name) {
-                name.push('_');
-            }
-            *names[index] = name;
+    let mut taken: HashSet<String> =
+        names.iter().filter(|name| name.starts_with("array_")).map(|name| (*name).clone()).collect();
+    for (index, name) in names.iter_mut().enumerate().filter(|(_, name)| name.is_empty()) {
+        let mut free = format!("array_{index}");
+        while taken.contains(&free) {
+            free.push('_');
         }
+        taken.insert(free.clone());
+        **name = free;
     }
 }

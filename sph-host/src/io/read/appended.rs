@@ -3,15 +3,13 @@
 //! Plain: one size, then the bytes. Compressed: the number of blocks, the size of a block, that of the last one if it
 //! is shorter (else 0), the packed size of each, then the blocks. Source: *VTK File Formats*, docs.vtk.org.
 
+use super::budget::MOST_PACKED;
 use crate::io::numbers::Endian;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use flate2::read::ZlibDecoder;
 use std::borrow::Cow;
 use std::io::Read;
-
-/// Deflate packs at most 1032 bytes into one.
-const MOST_PACKED: usize = 1032;
 
 /// How a file packs its arrays.
 #[derive(Debug, Clone, Copy)]
@@ -64,7 +62,7 @@ impl Packing {
                 "{blocks} blocks of {block} bytes, the last of {last}, where {want} are expected"
             ));
         }
-        let mut out = Vec::with_capacity(want.min(data.len().saturating_mul(MOST_PACKED)));
+        let mut out = Vec::with_capacity(want.min(data.len().saturating_mul(MOST_PACKED as usize)));
         for index in 0..blocks {
             let packed;
             (packed, sizes) = self.size(sizes)?;

@@ -3,6 +3,7 @@
 //! One pass, column by column, whole or some rows at a time; the float parser rounds correctly, so what was printed in
 //! full is read to the bit. An empty cell is no value: NaN, named where a number is wanted.
 
+use super::budget::Budget;
 use super::open;
 use super::pieces::Source;
 use super::records::Records;
@@ -59,6 +60,8 @@ impl<R: BufRead> Source for Text<R> {
         let header = self.header;
         let mut columns: Vec<Column> = self.names.iter().map(|name| Column::new(name)).collect();
         let mut rows = Rows::Lines(header, Vec::new());
+        // A text table claims nothing: what it costs is what is kept.
+        let budget = Budget::of_file(0);
         let mut row = 0;
         while row < most
             && let Some(line) = self.records.advance()?
@@ -70,6 +73,9 @@ impl<R: BufRead> Source for Text<R> {
             }
             rows.push(row, line);
             for (column, cell) in columns.iter_mut().zip(self.records.cells()) {
+                budget
+                    .push(&mut column.values)
+                    .map_err(|problem| Problem::at(format!("line {line}"), problem))?;
                 column.push(row, line, cell);
             }
             row += 1;

@@ -4,6 +4,7 @@
 //! highest byte first. Cells are passed over; of the attributes those of the points are kept.
 //! Source: *VTK File Formats*, docs.vtk.org.
 
+use super::budget::refuse_wide;
 use super::legacy_text::{Cursor, Kind, Place, decoded, is_keyword};
 use super::text_numbers::required;
 use super::{bytes, from_vtk};
@@ -244,6 +245,9 @@ impl<'a> Reader<'a> {
                 format!("{} of {components} for {}", counted(tuples, "tuple"), counted(points, "point"));
             array = Array::unusable(array.name, Unusable::other(problem));
         }
+        if let Err(problem) = refuse_wide(components) {
+            array = Array::unusable(array.name, Unusable::other(problem));
+        }
         if matches!(self.section, Some((_, true))) {
             self.arrays.push(array);
         }
@@ -256,6 +260,8 @@ impl<'a> Reader<'a> {
             (Some(points), None) => from_vtk(&points, self.arrays),
             // The counts are claims; an array with one number a point makes them good.
             (None, Some(image)) if self.arrays.iter().any(|array| array.values.len() >= count) => {
+                // Coordinates point by point, then axis by axis.
+                self.cursor.budget.grow(count.saturating_mul(6)).map_err(Problem::new)?;
                 from_vtk(&image.points(count), self.arrays)
             }
             (None, Some(_)) => {

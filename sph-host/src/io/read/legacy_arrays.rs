@@ -12,17 +12,17 @@ impl<'a> Cursor<'a> {
     pub(super) fn array(&mut self, name: String, stored: Stored, components: usize, tuples: usize) -> Array {
         let count = components.saturating_mul(tuples);
         if self.ascii {
-            let mut numbers = TextNumbers::new(count, self.rest().len());
+            let mut numbers = TextNumbers::new(count);
             while !numbers.is_full()
                 && let Some(word) = self.number_word()
             {
-                numbers.push(word);
+                numbers.push(word, &self.budget);
             }
             return numbers.into_array(name, components, 0);
         }
-        match self.bytes_of(stored, count) {
-            Ok(bytes) => {
-                let mut values = Vec::with_capacity(count);
+        let bytes = self.bytes_of(stored, count);
+        match bytes.and_then(|bytes| Ok((bytes, self.budget.numbers(count)?))) {
+            Ok((bytes, mut values)) => {
                 stored.decode(bytes, Endian::Big, count, &mut values);
                 Array::new(name, components, values)
             }

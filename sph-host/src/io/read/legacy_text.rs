@@ -1,5 +1,6 @@
 //! A place in a legacy VTK file: words with blanks or line ends between.
 
+use super::budget::Budget;
 use crate::io::error::{Parsed, Problem, shown};
 use crate::io::numbers::Stored;
 
@@ -11,6 +12,7 @@ pub(super) struct Cursor<'a> {
     pub ascii: bool,
     /// How many numbers a tuple of the array has that was read last.
     pub components: usize,
+    pub budget: Budget,
 }
 
 /// The words that start a block.
@@ -77,7 +79,7 @@ impl Kind {
 
 impl<'a> Cursor<'a> {
     pub(super) fn new(bytes: &'a [u8]) -> Self {
-        Self { bytes, at: 0, ascii: true, components: 0 }
+        Self { bytes, at: 0, ascii: true, components: 0, budget: Budget::of_file(bytes.len() as u64) }
     }
 
     pub(super) fn rest(&self) -> &'a [u8] {
@@ -125,12 +127,19 @@ impl<'a> Cursor<'a> {
         loop {
             let Place(start) = self.place();
             self.at = start;
-            if !self.line()?.eq_ignore_ascii_case(b"METADATA") {
-                self.at = start;
+            if !self.is_line(b"METADATA") {
                 return self.word();
             }
+            self.line();
             self.skip_metadata();
         }
+    }
+
+    /// Whether nothing but `word` and blanks is left of the line. Looks no further than it must: a line may be the whole file.
+    fn is_line(&self, word: &[u8]) -> bool {
+        let Some((start, rest)) = self.rest().split_at_checked(word.len()) else { return false };
+        let behind = rest.iter().find(|&&byte| byte == b'\n' || !byte.is_ascii_whitespace());
+        start.eq_ignore_ascii_case(word) && behind.is_none_or(|&byte| byte == b'\n')
     }
 
     /// The next word as text, for a name or a type; `what` says what it is.

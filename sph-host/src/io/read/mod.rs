@@ -3,6 +3,7 @@
 //! A format is one module beside this one and one line in [`FORMATS`].
 
 mod appended;
+pub(super) mod budget;
 mod csv;
 mod legacy;
 mod legacy_arrays;

@@ -3,6 +3,7 @@
 //! The format is NumPy's NEP 1: a magic word, a version, the header's length, and a literal of a Python dictionary
 //! with the keys `descr`, `fortran_order` and `shape`.
 
+use super::budget::{Budget, MOST_DIMENSIONS, MOST_HEADER};
 use crate::io::error::{counted, shown};
 use crate::io::numbers::{Endian, Stored};
 use std::io::Read;
@@ -36,12 +37,20 @@ impl Header {
         let bytes = if major == 1 { 2 } else { 4 };
         input.read_exact(&mut length[..bytes]).map_err(|_| wrong())?;
         let length = u64::from(u32::from_le_bytes(length));
+        if length > MOST_HEADER {
+            return Err(format!("a header of {length} bytes, where at most {MOST_HEADER} are read"));
+        }
         let mut text = Vec::new();
         if !input.take(length).read_to_end(&mut text).is_ok_and(|found| found as u64 == length) {
             return Err(wrong());
         }
         let header = std::str::from_utf8(&text).ok().and_then(Self::parse);
-        header.ok_or_else(|| format!("the header {} is not one of NumPy", shown(&text)))
+        let header = header.ok_or_else(|| format!("the header {} is not one of NumPy", shown(&text)))?;
+        let dimensions = header.shape.len();
+        if dimensions > MOST_DIMENSIONS {
+            return Err(format!("{dimensions} dimensions, where at most {MOST_DIMENSIONS} are read"));
+        }
+        Ok(header)
     }
 
     fn parse(text: &str) -> Option<Self> {
@@ -93,22 +102,29 @@ impl Header {
     }
 
     /// The numbers in C order, whose bytes are `data`.
-    pub(super) fn numbers(&self, stored: Stored, endian: Endian, data: &[u8]) -> Result<Vec<f64>, String> {
+    pub(super) fn numbers(
+        &self,
+        (stored, endian): (Stored, Endian),
+        data: &[u8],
+        budget: &Budget,
+    ) -> Result<Vec<f64>, String> {
         let count = self.shape.iter().try_fold(1usize, |product, &length| product.checked_mul(length));
         let want = count.and_then(|count| Some((count, stored.bytes(count)?)));
         let Some((count, _)) = want.filter(|&(_, bytes)| bytes == data.len()) else {
             let found = counted(data.len(), "byte");
             return Err(format!("{found} for the shape {:?} of {}", self.shape, self.descr));
         };
-        let mut values = Vec::with_capacity(count);
+        let mut values = budget.numbers(count)?;
         stored.decode(data, endian, count, &mut values);
-        Ok(if self.fortran_order && self.shape.len() > 1 { self.transposed(&values) } else { values })
+        if self.fortran_order && self.shape.len() > 1 {
+            return Ok(self.transposed(&values, budget.numbers(count)?));
+        }
+        Ok(values)
     }
 
-    /// `values`, whose first index runs fastest, with the last index fastest.
-    fn transposed(&self, values: &[f64]) -> Vec<f64> {
+    /// `values`, whose first index runs fastest, with the last index fastest, in `out`.
+    fn transposed(&self, values: &[f64], mut out: Vec<f64>) -> Vec<f64> {
         let mut index = vec![0; self.shape.len()];
-        let mut out = Vec::with_capacity(values.len());
         for _ in 0..values.len() {
             let at = index.iter().zip(&self.shape).rev().fold(0, |at, (i, length)| at * length + i);
             out.push(values[at]);
@@ -148,10 +164,20 @@ mod tests {
     }
 
     #[test]
+    fn a_header_that_is_too_long_is_called_so() {
+        let mut file = b"\x93NUMPY\x02\0".to_vec();
+        file.extend(65_537_u32.to_le_bytes());
+        assert_eq!(
+            Header::split(&file).unwrap_err(),
+            "a header of 65537 bytes, where at most 65536 are read"
+        );
+    }
+
+    #[test]
     fn shapes_that_overflow_are_refused() {
         let header =
             Header { descr: "<f8".to_owned(), fortran_order: false, shape: vec![1 << 32, 1 << 32, 2] };
-        assert!(header.numbers(Stored::F64, Endian::Little, &[]).is_err());
+        assert!(header.numbers((Stored::F64, Endian::Little), &[], &Budget::of_file(1)).is_err());
         assert!(Header::parse("{'descr': '<f8', 'fortran_order': False, 'shape': (-1,), }").is_none());
     }
 
@@ -159,7 +185,7 @@ mod tests {
     fn fortran_order_is_turned_round() {
         let header = Header { descr: "|u1".to_owned(), fortran_order: true, shape: vec![2, 3, 2] };
         let bytes: Vec<u8> = (0..12).collect();
-        let values = header.numbers(Stored::U8, Endian::Little, &bytes).unwrap();
+        let values = header.numbers((Stored::U8, Endian::Little), &bytes, &Budget::of_file(12)).unwrap();
         // Element (i, j, k) lies at i + 2 j + 6 k.
         assert_eq!(values, [0.0, 6.0, 2.0, 8.0, 4.0, 10.0, 1.0, 7.0, 3.0, 9.0, 5.0, 11.0]);
     }

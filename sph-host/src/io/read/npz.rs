@@ -1,5 +1,6 @@
 //! Archives of NumPy arrays: `.npz`.
 
+use super::budget::{Budget, MOST_PACKED, refuse_many, refuse_wide};
 use super::npy::Header;
 use super::{open, refuse_special};
 use crate::io::error::{Parsed, Problem, counted};
@@ -10,9 +11,6 @@ use std::fs::File;
 use std::io::{BufReader, Read, Seek};
 use std::path::Path;
 use zip::ZipArchive;
-
-/// Deflate packs at most 1032 bytes into one.
-const MOST_PACKED: u64 = 1032;
 
 /// The first bytes of every ZIP file that is not empty.
 const MAGIC: &[u8] = b"PK";
@@ -26,28 +24,32 @@ pub(super) struct Member {
 
 /// Reads an archive with the arrays `x`, `y`, `z`, or `pos` of N×D.
 pub(super) fn read(path: &Path) -> Parsed<PointTable> {
-    let mut archive = open_archive(path)?;
+    let (mut archive, budget) = open_archive(path)?;
     let mut members = Vec::new();
     for index in 0..archive.len() {
-        members.extend(member(&mut archive, index)?);
+        members.extend(member(&mut archive, index, &budget)?);
     }
     fill_empty_names(members.iter_mut().map(|member| &mut member.name).collect());
-    assemble(members)
+    assemble(members, &budget)
 }
 
-/// Opens the archive, which has to be a regular file.
-pub(super) fn open_archive(path: &Path) -> Parsed<ZipArchive<BufReader<File>>> {
+/// Opens the archive, which has to be a regular file, with the budget of its size.
+pub(super) fn open_archive(path: &Path) -> Parsed<(ZipArchive<BufReader<File>>, Budget)> {
     refuse_special(
         path,
         false,
         "a regular file is expected, because an archive is not read from its start to its end",
     )?;
+    let budget = Budget::of_file(path.metadata()?.len());
     let archive = ZipArchive::new(open(path, MAGIC)?);
-    archive.map_err(|error| Problem::new(format!("not an .npz file, or cut short: {error}")))
+    let archive =
+        archive.map_err(|error| Problem::new(format!("not an .npz file, or cut short: {error}")))?;
+    refuse_many(archive.len()).map_err(Problem::new)?;
+    Ok((archive, budget))
 }
 
 /// A table of arrays.
-pub(super) fn assemble(mut members: Vec<Member>) -> Parsed<PointTable> {
+pub(super) fn assemble(mut members: Vec<Member>, budget: &Budget) -> Parsed<PointTable> {
     if members.is_empty() {
         let problem = "there are no arrays in the archive: members that end in .npy are expected";
         return Err(Problem::new(problem));
@@ -63,7 +65,7 @@ pub(super) fn assemble(mut members: Vec<Member>) -> Parsed<PointTable> {
     let points = points.or_else(|| members.iter().find(|member| member.is("x"))?.shape.first().copied());
     let names: Vec<String> = members.iter().map(|member| format!("`{}`", member.name)).collect();
     let mut arrays: Vec<Array> =
-        members.into_iter().map(|member| member.array(points.unwrap_or(0))).collect();
+        members.into_iter().map(|member| member.array(points.unwrap_or(0), budget)).collect();
     let axes = take_coordinates(&mut arrays)?;
     match (coordinates.is_empty(), axes.is_empty()) {
         (false, false) => return Err(Problem::new("there is both `pos` and `x`: one of them is expected")),
@@ -83,13 +85,17 @@ pub(super) fn array_name(member: &str) -> Option<String> {
 }
 
 /// Reads the array with this number, `None` if the member is no array.
-fn member<R: Read + Seek>(archive: &mut ZipArchive<R>, index: usize) -> Parsed<Option<Member>> {
+fn member<R: Read + Seek>(
+    archive: &mut ZipArchive<R>,
+    index: usize,
+    budget: &Budget,
+) -> Parsed<Option<Member>> {
     let unreadable = |error: String| Problem::new(format!("member {index} of the archive: {error}"));
     let mut file = archive.by_index(index).map_err(|error| unreadable(error.to_string()))?;
     let name = file.name().map_err(|error| unreadable(error.to_string()))?;
     let Some(name) = array_name(&name) else { return Ok(None) };
     let (size, packed) = (file.size(), file.compressed_size());
-    let (shape, values) = match array(&mut file, size, packed) {
+    let (shape, values) = match array(&mut file, size, packed, budget) {
         Ok((shape, values)) => (shape, values),
         Err(problem) => (Vec::new(), Err(Unusable::numbers(problem))),
     };
@@ -99,10 +105,11 @@ fn member<R: Read + Seek>(archive: &mut ZipArchive<R>, index: usize) -> Parsed<O
 type Content = (Vec<usize>, Result<Vec<f64>, Unusable>);
 
 /// Shape and numbers of a member whose `size` bytes take `packed` bytes in the archive.
-fn array(file: &mut impl Read, size: u64, packed: u64) -> Result<Content, String> {
+fn array(file: &mut impl Read, size: u64, packed: u64, budget: &Budget) -> Result<Content, String> {
     if size / MOST_PACKED > packed {
         return Err(format!("{packed} packed bytes cannot hold the {size} that the archive claims"));
     }
+    budget.unpack(usize::try_from(size).unwrap_or(usize::MAX))?;
     let mut bytes = Vec::new();
     // The checksum is compared where the reader meets the end, so one byte more than there should be is asked for.
     file.take(size.saturating_add(1)).read_to_end(&mut bytes).map_err(|error| damaged(&error))?;
@@ -111,7 +118,7 @@ fn array(file: &mut impl Read, size: u64, packed: u64) -> Result<Content, String
     }
     let (header, data) = Header::split(&bytes)?;
     let values = match header.stored() {
-        Some((stored, endian)) => Ok(header.numbers(stored, endian, data)?),
+        Some((stored, endian)) => Ok(header.numbers((stored, endian), data, budget)?),
         None => Err(Unusable::other(format!("values of type {} where numbers are expected", header.descr))),
     };
     Ok((header.shape, values))
@@ -136,14 +143,20 @@ impl Member {
     }
 
     /// The array at `points` points, with a fault if it has not one row for each.
-    fn array(self, points: usize) -> Array {
+    fn array(self, points: usize, budget: &Budget) -> Array {
         let Self { name, shape, values } = self;
         let values = match values {
             Ok(values) => values,
             Err(unusable) => return Array::unusable(name, unusable),
         };
         if is_single(&name, &shape, points) {
-            return Array::new(name, 1, vec![values[0]; points]);
+            return match budget.numbers(points) {
+                Ok(mut all) => {
+                    all.resize(points, values[0]);
+                    Array::new(name, 1, all)
+                }
+                Err(problem) => Array::unusable(name, Unusable::numbers(problem)),
+            };
         }
         let Some((&rows, rest)) = shape.split_first() else {
             return Array::unusable(name, Unusable::other(unfit(&shape, points)));
@@ -151,6 +164,9 @@ impl Member {
         let components = rest.iter().try_fold(1usize, |all, &length| all.checked_mul(length)).unwrap_or(0);
         if components == 0 || rows != points && !is_axis(&name) {
             return Array::unusable(name, Unusable::other(unfit(&shape, points)));
+        }
+        if let Err(problem) = refuse_wide(components) {
+            return Array::unusable(name, Unusable::numbers(problem));
         }
         Array::new(name, components, values)
     }

@@ -1,5 +1,6 @@
 //! Archives of NumPy arrays, some rows at a time: every array has a reader of its own.
 
+use super::budget::Budget;
 use super::npy::Header;
 use super::npz::{self, Member, array_name, damaged, is_single, open_archive, unfit};
 use super::pieces::Source;
@@ -15,6 +16,8 @@ use zip::{CompressionMethod, ZipArchive};
 /// An archive whose arrays are read side by side.
 struct Archive {
     arrays: Vec<Rows>,
+    /// Bytes of the file.
+    size: u64,
     /// Points that are still to come.
     left: usize,
 }
@@ -46,7 +49,7 @@ struct Input {
 
 /// Opens an archive to be read some rows at a time.
 pub(super) fn pieces(path: &Path) -> Parsed<Box<dyn Source>> {
-    let mut archive = open_archive(path)?;
+    let (mut archive, budget) = open_archive(path)?;
     let mut arrays = Vec::new();
     for index in 0..archive.len() {
         arrays.extend(Rows::open(path, &mut archive, index)?);
@@ -56,9 +59,9 @@ pub(super) fn pieces(path: &Path) -> Parsed<Box<dyn Source>> {
     let leader = first("x").or_else(|| first("pos"));
     let left = leader.and_then(|rows| rows.shape.first().copied()).unwrap_or(0);
     for rows in &mut arrays {
-        rows.fit(left)?;
+        rows.fit(left, &budget)?;
     }
-    Ok(Box::new(Archive { arrays, left }))
+    Ok(Box::new(Archive { arrays, left, size: path.metadata()?.len() }))
 }
 
 impl Source for Archive {
@@ -66,7 +69,12 @@ impl Source for Archive {
         let count = self.left.min(most);
         self.left -= count;
         let is_last = self.left == 0;
-        npz::assemble(self.arrays.iter_mut().map(|rows| rows.next(count, is_last)).collect())
+        // What one piece keeps is gone with the next.
+        let budget = Budget::of_file(self.size);
+        npz::assemble(
+            self.arrays.iter_mut().map(|rows| rows.next(count, is_last, &budget)).collect(),
+            &budget,
+        )
     }
 }
 
@@ -98,7 +106,7 @@ impl Rows {
     }
 
     /// Sets aside an array that has not one row for each of `points` points.
-    fn fit(&mut self, points: usize) -> Parsed<()> {
+    fn fit(&mut self, points: usize, budget: &Budget) -> Parsed<()> {
         if self.shape.first() == Some(&points) {
             return Ok(());
         }
@@ -107,7 +115,7 @@ impl Rows {
             return Err(Problem::at(format!("array `{}`", self.name), unfit(&self.shape, points)));
         }
         self.content = if is_single(&self.name, &self.shape, points) {
-            match input.next(1, true) {
+            match input.next(1, true, budget) {
                 Ok(values) => Content::Single(values[0]),
                 Err(problem) => Content::Unusable(Unusable::numbers(problem)),
             }
@@ -118,7 +126,7 @@ impl Rows {
     }
 
     /// The next rows. After the last, the bytes must be those that the archive promised.
-    fn next(&mut self, count: usize, is_last: bool) -> Member {
+    fn next(&mut self, count: usize, is_last: bool, budget: &Budget) -> Member {
         let mut shape = self.shape.clone();
         if let Some(rows) = shape.first_mut() {
             *rows = count;
@@ -127,7 +135,7 @@ impl Rows {
         let values = match &mut self.content {
             Content::Single(value) => return Member { name, shape: Vec::new(), values: Ok(vec![*value]) },
             Content::Unusable(unusable) => Err(unusable.clone()),
-            Content::Rows(input) => input.next(count, is_last).map_err(Unusable::numbers),
+            Content::Rows(input) => input.next(count, is_last, budget).map_err(Unusable::numbers),
         };
         if let Err(unusable) = &values {
             self.content = Content::Unusable(unusable.clone());
@@ -152,15 +160,16 @@ impl Content {
 }
 
 impl Input {
-    fn next(&mut self, count: usize, is_last: bool) -> Result<Vec<f64>, String> {
+    fn next(&mut self, count: usize, is_last: bool, budget: &Budget) -> Result<Vec<f64>, String> {
         if let Some(rows) = self.header.shape.first_mut() {
             *rows = count;
         }
         let numbers = self.header.shape.iter().try_fold(1_usize, |all, &length| all.checked_mul(length));
         let size = numbers.and_then(|numbers| self.stored.bytes(numbers)).unwrap_or(usize::MAX);
+        budget.unpack(if count == 0 { 0 } else { size })?;
         let mut data = Vec::new();
         (&mut self.bytes).take(size as u64).read_to_end(&mut data).map_err(|error| damaged(&error))?;
-        let values = self.header.numbers(self.stored, self.endian, &data)?;
+        let values = self.header.numbers((self.stored, self.endian), &data, budget)?;
         if is_last {
             let rest =
                 std::io::copy(&mut self.bytes, &mut std::io::sink()).map_err(|error| damaged(&error))?;

@@ -1,5 +1,6 @@
 //! Numbers written as text with blanks between: what is no number is a fault of their array, not of the file.
 
+use super::budget::Budget;
 use crate::io::error::{Parsed, counted, shown};
 use crate::io::numbers;
 use crate::io::table::{Array, Fault, Unusable};
@@ -12,21 +13,33 @@ pub(super) struct TextNumbers {
     count: usize,
     /// The first word that is no number, with its index.
     odd: Option<(usize, String)>,
+    /// How many words there were.
+    words: usize,
+    /// Why not all are kept: there is no memory.
+    full: Option<String>,
 }
 
 impl TextNumbers {
-    /// `count` numbers to come out of at most `bytes` bytes of text: a number takes a digit and a blank.
-    pub(super) fn new(count: usize, bytes: usize) -> Self {
-        Self { values: Vec::with_capacity(count.min(bytes / 2 + 1)), count, odd: None }
+    /// `count` numbers to come.
+    pub(super) fn new(count: usize) -> Self {
+        Self { values: Vec::new(), count, odd: None, words: 0, full: None }
     }
 
     /// Whether all are there.
     pub(super) fn is_full(&self) -> bool {
-        self.values.len() >= self.count
+        self.words >= self.count
     }
 
-    /// Takes the next word.
-    pub(super) fn push(&mut self, word: &[u8]) {
+    /// Takes the next word, and keeps its number while there is room.
+    pub(super) fn push(&mut self, word: &[u8], budget: &Budget) {
+        self.words += 1;
+        if self.full.is_some() {
+            return;
+        }
+        if let Err(problem) = budget.push(&mut self.values) {
+            self.full = Some(problem);
+            return;
+        }
         let value = numbers::parse(word);
         if value.is_none() && self.odd.is_none() {
             self.odd = Some((self.values.len(), shown(word)));
@@ -36,6 +49,9 @@ impl TextNumbers {
 
     /// The array `name` of these numbers; `first` is the number of its first point.
     pub(super) fn into_array(self, name: String, components: usize, first: usize) -> Array {
+        if let Some(problem) = self.full {
+            return Array::unusable(name, Unusable::numbers(problem));
+        }
         if let Some((index, word)) = self.odd {
             let point = first + index / components.max(1);
             let at = format!("array `{name}`, point {point}");

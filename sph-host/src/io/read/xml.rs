@@ -3,6 +3,7 @@
 //! Source: *VTK File Formats*, docs.vtk.org.
 
 use super::appended::from_base64;
+use super::budget::Budget;
 use super::text_numbers::{TextNumbers, required};
 use super::xml_arrays::{Content, DataArray, Form, Layout, layout};
 use super::{bytes, from_vtk};
@@ -84,17 +85,22 @@ impl Layout<'_> {
         let sizes = points.checked_mul(components).and_then(|count| Some((count, stored.bytes(count)?)));
         let claim = || Unusable::numbers(format!("{points} points of {components} numbers are claimed"));
         let (count, bytes) = sizes.ok_or_else(claim)?;
+        let decoded = |text: &[u8]| {
+            self.budget.decode(text.len())?;
+            from_base64(text).map(Cow::Owned)
+        };
         let data = match &form.content {
             Content::Ascii(text) => {
-                return ascii(text.as_bytes(), count)
+                return ascii(text.as_bytes(), count, &self.budget)
                     .map(|numbers| numbers.into_array(name.to_owned(), components, first));
             }
-            Content::Base64(text) => from_base64(text.as_bytes()).map(Cow::Owned),
+            Content::Base64(text) => decoded(text.as_bytes()),
             Content::Appended(offset) => self.appended_at(*offset),
         };
         let data = data.map_err(Unusable::numbers)?;
+        self.budget.unpack(bytes).map_err(Unusable::numbers)?;
         let unpacked = self.packing.unpack(&data, bytes).map_err(Unusable::numbers)?;
-        let mut values = Vec::with_capacity(count);
+        let mut values = self.budget.numbers(count).map_err(Unusable::numbers)?;
         stored.decode(&unpacked, self.packing.endian, count, &mut values);
         Ok(Array::new(name, components, values))
     }
@@ -110,7 +116,9 @@ impl Layout<'_> {
             return Ok(Cow::Borrowed(rest));
         }
         let length = self.offsets.get(next).map_or(rest.len(), |next| next - offset);
-        from_base64(&rest[..length.min(rest.len())]).map(Cow::Owned)
+        let text = &rest[..length.min(rest.len())];
+        self.budget.decode(text.len())?;
+        from_base64(text).map(Cow::Owned)
     }
 }
 
@@ -139,13 +147,13 @@ fn missing(name: &str, piece: usize) -> Array {
 }
 
 /// `count` numbers of `text`, which has no more.
-fn ascii(text: &[u8], count: usize) -> Result<TextNumbers, Unusable> {
-    let mut numbers = TextNumbers::new(count, text.len());
+fn ascii(text: &[u8], count: usize, budget: &Budget) -> Result<TextNumbers, Unusable> {
+    let mut numbers = TextNumbers::new(count);
     for word in text.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty()) {
         if numbers.is_full() {
             return Err(Unusable::numbers(format!("there are more than {}", counted(count, "number"))));
         }
-        numbers.push(word);
+        numbers.push(word, budget);
     }
     Ok(numbers)
 }

@@ -1,6 +1,7 @@
 //! The elements of a VTK XML file that hold points: pieces and their arrays, not yet unpacked.
 
 use super::appended::Packing;
+use super::budget::{Budget, refuse_many, refuse_wide};
 use crate::io::error::{Parsed, Problem, shown};
 use crate::io::numbers::{Endian, Stored};
 use crate::io::table::{Unusable, fill_empty_names};
@@ -16,6 +17,7 @@ pub(super) struct Layout<'a> {
     pub appended: Option<(&'a [u8], bool)>,
     /// Where arrays start in the appended data, those of cells too, in order.
     pub offsets: Vec<usize>,
+    pub budget: Budget,
 }
 
 /// One piece: its number of points, their coordinates and arrays.
@@ -70,7 +72,8 @@ pub(super) fn layout(bytes: &[u8]) -> Parsed<Layout<'_>> {
     };
     let mut reader = Reader::from_str(text);
     let packing = Packing { endian: Endian::Little, wide: false, zlib: false };
-    let layout = Layout { packing, pieces: Vec::new(), appended: None, offsets: Vec::new() };
+    let budget = Budget::of_file(bytes.len() as u64);
+    let layout = Layout { packing, pieces: Vec::new(), appended: None, offsets: Vec::new(), budget };
     let mut parser = Parser { layout, section: Section::Other, open: None };
     let mut is_vtk = false;
     loop {
@@ -103,7 +106,9 @@ pub(super) fn layout(bytes: &[u8]) -> Parsed<Layout<'_>> {
         }
     }
     parser.layout.offsets.sort_unstable();
-    for piece in &mut parser.layout.pieces {
+    for (index, piece) in parser.layout.pieces.iter_mut().enumerate() {
+        let place = || format!("piece {index}");
+        refuse_many(piece.arrays.len()).map_err(|problem| Problem::at(place(), problem))?;
         fill_empty_names(piece.arrays.iter_mut().map(|array| &mut array.name).collect());
     }
     Ok(parser.layout)
@@ -205,9 +210,13 @@ impl<'a> Parser<'a> {
     fn text(&mut self, text: Cow<'a, str>) {
         let Some((DataArray { form: Ok(form), .. }, 0)) = &mut self.open else { return };
         if let Content::Ascii(content) | Content::Base64(content) = &mut form.content {
-            if content.trim_ascii().is_empty() {
+            // Text that is blank is passed over, so what is kept is empty or no blank: neither is looked through again.
+            if text.trim_ascii().is_empty() {
+                return;
+            }
+            if content.is_empty() {
                 *content = text;
-            } else if !text.trim_ascii().is_empty() {
+            } else {
                 content.to_mut().push_str(&text);
             }
         }
@@ -264,5 +273,6 @@ fn form<'a>(tag: &BytesStart<'_>, kind: &str) -> Result<Form<'a>, String> {
     if components == 0 {
         return Err("no numbers a point, where one or more are expected".to_owned());
     }
+    refuse_wide(components)?;
     Ok(Form { stored, components, content })
 }

@@ -1,0 +1,10 @@
+//! How much memory there is.
+
+use sysinfo::System;
+
+/// Bytes of memory that are available; `None` where the system does not say.
+pub(crate) fn available() -> Option<u64> {
+    let mut system = System::new().ok()?;
+    system.refresh_memory();
+    Some(system.available_memory())
+}
