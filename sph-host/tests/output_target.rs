@@ -169,3 +169,20 @@ fn an_interrupt_leaves_nothing_and_exits_130() {
     assert_eq!(child.wait().unwrap().code(), Some(130));
     assert!(names(directory.path()).is_empty());
 }
+
+#[cfg(unix)]
+#[test]
+fn a_link_to_nothing_and_the_names_of_open_files_are_refused() {
+    let directory = tempfile::tempdir().unwrap();
+    let path = directory.path().join("out.csv");
+    std::os::unix::fs::symlink(directory.path().join("gone/nothing.csv"), &path).unwrap();
+    let target = Target { path: path.clone(), force: true };
+    assert!(matches!(target.check(false), Err(WriteError::DanglingLink(_))));
+    assert!(matches!(write(&table(), &target), Err(WriteError::DanglingLink(_))));
+    assert!(path.is_symlink());
+    for name in ["/dev/stdout", "/dev/fd/1", "/proc/self/fd/1", "/dev/null"] {
+        let said = Target { path: name.into(), force: true }.check(false).unwrap_err().to_string();
+        assert!(said.contains("without a name, text goes to standard output"), "{said}");
+    }
+    assert_eq!(names(directory.path()), ["out.csv"]);
+}

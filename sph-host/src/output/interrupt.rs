@@ -70,13 +70,44 @@ impl Unfinished {
         Ok(file.as_file_mut())
     }
 
-    /// Gives the file its name; an existing one is replaced only when `force` says so.
+    /// Waits until the file's bytes are on the disk; where a file system cannot tell, nothing is waited for.
+    pub(super) fn sync(&mut self) -> io::Result<()> {
+        refused_is_fine(self.file()?.sync_data())
+    }
+
+    /// Gives the file its name, and waits until the folder has it; an existing one is replaced only when `force` says so.
     pub(super) fn finish(mut self, path: &Path, force: bool) -> io::Result<()> {
         let mut paths = unfinished();
         let Some(file) = self.0.take() else { return Ok(()) };
         paths.remove(file.path());
         let kept = if force { file.persist(path) } else { file.persist_noclobber(path) };
-        kept.map(drop).map_err(|error| error.error)
+        kept.map(drop).map_err(|error| error.error)?;
+        drop(paths);
+        sync_folder(path)
+    }
+}
+
+/// Waits until the folder of `path` is on the disk, where the system can.
+fn sync_folder(path: &Path) -> io::Result<()> {
+    #[cfg(unix)]
+    {
+        let folder = path.parent().filter(|folder| *folder != Path::new("")).unwrap_or(Path::new("."));
+        // A folder that may be written but not read cannot be opened: then the system decides when.
+        if let Ok(folder) = std::fs::File::open(folder) {
+            return refused_is_fine(folder.sync_all());
+        }
+    }
+    let _ = path;
+    Ok(())
+}
+
+/// Some file systems and folders do not know fsync: EINVAL or ENOTSUP.
+fn refused_is_fine(synced: io::Result<()>) -> io::Result<()> {
+    match synced {
+        Err(error) if matches!(error.kind(), io::ErrorKind::InvalidInput | io::ErrorKind::Unsupported) => {
+            Ok(())
+        }
+        other => other,
     }
 }
 

@@ -31,8 +31,14 @@ pub enum WriteError {
     #[error("{}: is a directory, expected a file", .0.display())]
     IsDirectory(PathBuf),
     /// The name belongs to a pipe or a device, which must not be replaced by a file.
-    #[error("{}: this is a pipe or a device, expected a file or a name that is free", .0.display())]
+    #[error(
+        "{}: this is a pipe or a device, expected a file or a name that is free; without a name, text goes to standard output",
+        .0.display()
+    )]
     NotAFile(PathBuf),
+    /// The name is a symbolic link to nothing, or to what cannot be reached.
+    #[error("{}: this is a symbolic link to nothing, expected a file or a name that is free", .0.display())]
+    DanglingLink(PathBuf),
     /// No file can be made in the target's directory.
     #[error("{}: cannot write in directory {}: {source}", path.display(), directory.display())]
     Directory {
@@ -96,9 +102,15 @@ impl Target {
     ///
     /// # Errors
     ///
-    /// [`WriteError::UnknownEnding`] and [`WriteError::NeedsGrid`] first, for they are seen without looking at any file;
-    /// then what [`Target::check_place`] reports.
+    /// [`WriteError::NotAFile`] for a name of standard output or another open file (`/dev/…`, `/proc/…`), [`WriteError::UnknownEnding`]
+    /// and [`WriteError::NeedsGrid`] first, for they are seen without looking at any file; then what [`Target::check_place`] reports.
     pub fn check(&self, grid: bool) -> Result<&'static Format, WriteError> {
+        if cfg!(unix)
+            && ["/dev", "/proc"].iter().any(|folder| self.path.starts_with(folder))
+            && !self.is_shared_memory()
+        {
+            return Err(WriteError::NotAFile(self.path.clone()));
+        }
         let format = Format::of(&self.path).ok_or_else(|| WriteError::UnknownEnding(self.path.clone()))?;
         if format.needs_grid && !grid {
             return Err(WriteError::NeedsGrid(self.path.clone()));
@@ -111,7 +123,7 @@ impl Target {
     ///
     /// # Errors
     ///
-    /// [`WriteError::IsDirectory`], [`WriteError::NotAFile`], [`WriteError::Exists`], [`WriteError::Directory`].
+    /// [`WriteError::IsDirectory`], [`WriteError::NotAFile`], [`WriteError::DanglingLink`], [`WriteError::Exists`], [`WriteError::Directory`].
     pub fn check_place(&self) -> Result<(), WriteError> {
         if self.path.is_dir() {
             return Err(WriteError::IsDirectory(self.path.clone()));
@@ -123,7 +135,8 @@ impl Target {
         self.begin().map(drop)
     }
 
-    /// Creates the file: `fill` writes to a temporary file beside it, which is then renamed.
+    /// Creates the file: `fill` writes to a temporary file beside it, whose bytes are brought to the disk before it is renamed,
+    /// and the folder behind it. So after a failure of power there is the old file or the whole new one.
     ///
     /// # Errors
     ///
@@ -151,18 +164,27 @@ impl Target {
             Unwritten::NoGrid => WriteError::NeedsGrid(self.path.clone()),
         })?;
         drop(writer);
+        unfinished.sync().map_err(failed)?;
         unfinished.finish(&self.real_path(), self.force).map_err(|source| match source.kind() {
             io::ErrorKind::AlreadyExists => WriteError::Exists(self.path.clone()),
             _ => failed(source),
         })
     }
 
-    /// Renaming a file to the name of a pipe or a device would take it away.
+    /// Renaming a file to the name of a pipe, a device or a link to nothing would take it away.
     fn refuse_device(&self) -> Result<(), WriteError> {
         match self.path.metadata() {
             Ok(found) if !found.is_file() && !found.is_dir() => Err(WriteError::NotAFile(self.path.clone())),
+            Err(_) if self.force && self.path.is_symlink() => {
+                Err(WriteError::DanglingLink(self.path.clone()))
+            }
             _ => Ok(()),
         }
+    }
+
+    /// Whether the file is in the folder of memory that is a file system.
+    fn is_shared_memory(&self) -> bool {
+        self.path.starts_with("/dev/shm")
     }
 
     /// A temporary file beside the target.
