@@ -36,6 +36,10 @@ impl Destination {
         progress: &dyn Progress,
     ) -> Result<Summary, Error> {
         let (start, folder) = (Instant::now(), &self.folder);
+        if self.earlier == Earlier::Keep && !Lock::is_in(folder) {
+            // No lock is left behind in a directory that is taken; asked again once the lock is held.
+            folder.require_free()?;
+        }
         folder.make()?;
         let _lock = Lock::take(folder)?;
         self.make_ready()?;

@@ -26,6 +26,23 @@ pub enum Error {
         /// The most that is possible.
         most: u32,
     },
+    /// The particles do not fit in memory. Nothing has been made or written.
+    #[error(
+        "a resolution of {resolution} in {dim} dimensions: about {particles:.2e} particles take more than {:.1} GB of memory, \
+         and {:.1} GB are available", .needed * 1e-9, .available * 1e-9
+    )]
+    TooLarge {
+        /// What was asked for.
+        resolution: u32,
+        /// The number of dimensions.
+        dim: usize,
+        /// About how many particles of fluid and walls there would be.
+        particles: f64,
+        /// Bytes that they take at least.
+        needed: f64,
+        /// Bytes that are available.
+        available: f64,
+    },
     /// The case does not exist in this number of dimensions.
     #[error("{case} in {found} dimensions: it has {}", either(&.case.dimensions()))]
     Dimensions {

@@ -156,7 +156,13 @@ impl RunFolder {
         self.path.join(case.plot())
     }
 
+    /// Writes the parameters, unless the file has them already: what says of which run the frames are is not touched again.
     pub(super) fn write_parameters(&self, parameters: &Parameters) -> Result<(), Error> {
+        let stored = fs::read(self.path.join(PARAMETERS)).ok();
+        let stored = stored.and_then(|bytes| serde_json::from_slice(&bytes).ok());
+        if stored.as_ref().and_then(Parameters::of_json).as_ref() == Some(parameters) {
+            return Ok(());
+        }
         self.write_json(PARAMETERS, &Value::Object(parameters.to_json()))
     }
 

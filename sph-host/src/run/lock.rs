@@ -17,6 +17,11 @@ pub(super) struct Lock {
 }
 
 impl Lock {
+    /// Whether the directory has the file, held or not.
+    pub(super) fn is_in(folder: &RunFolder) -> bool {
+        folder.path().join(NAME).exists()
+    }
+
     /// Takes the directory, which is there.
     ///
     /// # Errors

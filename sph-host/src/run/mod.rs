@@ -8,6 +8,7 @@
 //!
 //! 1. `options`: what is asked for. `parameters`: what that comes to, with the defaults of the case (`case`, one file for each; what a
 //!    case has to say is in `definition`) and of the solver (`solver`, made by `method`).
+//!    What does not fit in memory is refused (`memory`).
 //! 2. `case_run`: steps, rows of the series (`series`, with what `diagnostics` and the case measure), frames.
 //! 3. `destination`: the run into its directory. `folder`: the files of a run. `frame`: a frame as a file and back. `gallery`: pictures (`drawing`), drawn beside the steps.
 //! 4. `summary`: the result, with each `check`.
@@ -27,6 +28,7 @@ mod folder;
 mod frame;
 mod gallery;
 mod lock;
+mod memory;
 mod method;
 mod options;
 mod parameters;
@@ -121,6 +123,7 @@ fn simulate_form<const D: usize>(
     destination: Option<&Destination>,
     progress: &dyn Progress,
 ) -> Result<(Summary, Series), Error> {
+    memory::refuse_oversize(form, parameters.resolution)?;
     let case = (form.build)(parameters.resolution);
     let mut run = CaseRun::new(&*case, parameters)?;
     let start = Instant::now();

@@ -113,6 +113,11 @@ fn read_frame<const D: usize>(path: &Path, time: f64, particles: usize) -> Resul
     if is_finite { Ok(now) } else { Err(format!("{}: not all numbers are finite", path.display())) }
 }
 
+/// Whether the last cell of a row is a number of steps: whole, and below 2⁵³, beyond which no further step would count.
+fn has_steps(row: &[f64]) -> bool {
+    row.last().is_some_and(|&steps| steps.fract() == 0.0 && (0.0..9_007_199_254_740_992.0).contains(&steps))
+}
+
 /// Reads the rows of the series up to the first that is not whole, or not where every run of this kind has one.
 fn read_rows(path: &Path, expected: &Expected, damages: &mut Vec<String>) -> Vec<Vec<f64>> {
     let mut damaged = |what: &str| damages.push(format!("{} {what}", path.display()));
@@ -138,7 +143,8 @@ fn read_rows(path: &Path, expected: &Expected, damages: &mut Vec<String>) -> Vec
     let mut records = reader.records().peekable();
     while let Some(record) = records.next() {
         let cells = record.iter().flatten().map(str::parse).collect::<Result<Vec<f64>, _>>();
-        let Some(row) = cells.ok().filter(|row| row.len() == expected.columns.len()) else {
+        let is_row = |row: &Vec<f64>| row.len() == expected.columns.len() && has_steps(row);
+        let Some(row) = cells.ok().filter(is_row) else {
             damaged(&format!("is damaged in line {}", rows.len() + 2));
             return rows;
         };

@@ -223,3 +223,35 @@ fn what_a_killed_process_left_is_removed_and_nothing_else() {
         }
     }
 }
+
+/// A count of steps that no run comes to is damage: with 2⁶⁴ − 1 the next step had the number 0.
+#[test]
+fn a_number_of_steps_beyond_all_is_damage() {
+    let folder = Folder::new();
+    folder.succeed(&format!("{RUN} --time 0.008 --out parted --no-pictures"));
+    let series = String::from_utf8(folder.bytes("parted/series.csv")).unwrap();
+    for steps in ["18446744073709551615", "-1.0", "0.5", "NaN", "inf"] {
+        let lines: Vec<String> = series
+            .lines()
+            .enumerate()
+            .map(|(number, line)| match line.rsplit_once(',') {
+                Some((start, _)) if number > 5 => format!("{start},{steps}\n"),
+                _ => format!("{line}\n"),
+            })
+            .collect();
+        folder.write("parted/series.csv", lines.concat());
+        let said = folder.succeed("run --time 0.008 --out parted --resume --no-pictures");
+        assert!(said.stderr.contains("series.csv is damaged in line 7"), "{steps}: {}", said.stderr);
+        let summary = String::from_utf8(folder.bytes("parted/summary.json")).unwrap();
+        assert!(!summary.contains("18446744073709551615"), "{summary}");
+    }
+}
+
+#[test]
+fn no_lock_is_left_in_a_directory_that_is_taken() {
+    let folder = Folder::new();
+    fs::create_dir(folder.path("taken")).unwrap();
+    folder.write("taken/frame_0000.vtu", "another's");
+    folder.fail_with(1, &format!("{RUN} --time 0.008 --out taken"), &["taken: already holds a run"]);
+    assert_eq!(folder.names_in("taken").into_iter().collect::<Vec<_>>(), ["frame_0000.vtu"]);
+}
