@@ -1,7 +1,7 @@
 //! `fluisim sample`: words to a [`Request`], its result to a file.
 
 use std::io::BufWriter;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use clap::{ArgGroup, Args};
@@ -83,7 +83,7 @@ pub(super) struct SampleArgs {
     /// a line of JSON on stderr says which
     #[arg(long)]
     exact: bool,
-    /// The result's file; without it, CSV on stdout
+    /// The result's file; without it, or with /dev/stdout, CSV on stdout
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
     /// Replace an existing file
@@ -135,7 +135,8 @@ fn chunk_help() -> String {
 
 /// Samples as the words say.
 pub(super) fn run(args: SampleArgs) -> Result<(), Failure> {
-    let target = args.out.clone().map(|path| Target { path, force: args.force });
+    let to_file = args.out.clone().filter(|path| path != Path::new("/dev/stdout"));
+    let target = to_file.map(|path| Target { path, force: args.force });
     let (quiet, timing, exact) = (args.quiet, args.timing, args.exact);
     let request = request(args)?;
     if let Some(target) = &target {

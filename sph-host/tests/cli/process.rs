@@ -16,6 +16,15 @@ fn messages_go_to_stderr_and_there_is_no_bar_without_a_terminal() {
 }
 
 #[test]
+fn standard_output_may_be_named() {
+    let folder = Folder::new();
+    let words = "sample demo:vortex --particles 400 --grid 20,20";
+    assert_eq!(folder.succeed(&format!("{words} --out /dev/stdout")).stdout, folder.succeed(words).stdout);
+    let said = folder.run(&format!("{words} --out /dev/stderr"));
+    assert_eq!((said.status, said.stdout.as_str()), (Some(1), ""), "{}", said.stderr);
+}
+
+#[test]
 fn timing_is_the_last_line_and_quiet_hides_no_message() {
     let folder = Folder::with("p.csv", "x,y,m,A\n0,0,1,1\n1,0,1,1\n");
     let words = "sample p.csv --support 0.5 --grid 3,1 --bounds -9,0,9,1 --threads 2 --timing";
