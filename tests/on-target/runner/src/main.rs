@@ -14,6 +14,7 @@ mod suites;
 mod table;
 mod target;
 mod toolchain;
+mod web;
 
 use anyhow::{Context, Result, bail};
 use lexopt::Arg::{Long, Value};
@@ -24,9 +25,9 @@ use toolchain::Toolchain;
 const USAGE: &str = "usage: tests/on-target/run [OPTION]
 
 Without an option, everything: the suites and the digests under QEMU, the search for panics, the footprint, the
-counts of instructions, the fluid, the example for real chips, the C library.
+counts of instructions, the fluid, the example for real chips, the C library, the page for browsers.
 
-  --only PART         one of: suites, self-check, digests, panics, footprint, counts, fluid, hardware, c
+  --only PART         one of: suites, self-check, digests, panics, footprint, counts, fluid, hardware, c, web
   --self-check        the same as --only self-check
   --overflow-checks   what can panic when integer overflow is checked; judges nothing
   --update            replaces the committed tables
@@ -90,7 +91,7 @@ fn run(options: &Options) -> Result<bool> {
     if options.overflow_checks {
         return panics::with_overflow_checks().map(|()| true);
     }
-    let parts: [(&str, &dyn Fn() -> Result<bool>); 9] = [
+    let parts: [(&str, &dyn Fn() -> Result<bool>); 10] = [
         ("suites", &suites::check),
         ("self-check", &suites::self_check),
         ("digests", &digests::check),
@@ -100,6 +101,7 @@ fn run(options: &Options) -> Result<bool> {
         ("fluid", &|| fluid::check(options.update)),
         ("hardware", &hardware::check),
         ("c", &|| c::check(options.update)),
+        ("web", &web::check),
     ];
     let chosen = |name: &str| options.only.as_deref().is_none_or(|only| only == name);
     if !parts.iter().any(|(name, _)| chosen(name)) {

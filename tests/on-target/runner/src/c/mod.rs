@@ -8,6 +8,7 @@ use crate::elf::Elf;
 use crate::table;
 use anyhow::{Context, Result, ensure};
 use archive::Archive;
+pub(crate) use archive::target_dir;
 use machine::{HOST, M0, M4F, MACHINES, Machine, Program};
 use std::collections::BTreeMap;
 

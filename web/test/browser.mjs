@@ -1,0 +1,101 @@
+// A browser: digests, tilt, switches, no message of an error: browser.mjs PAGE PLAYWRIGHT [FOLDER for pictures].
+import { createRequire } from "node:module";
+import { pathToFileURL } from "node:url";
+
+const [, , page, playwright, pictures] = process.argv;
+const { chromium } = createRequire(import.meta.url)(playwright);
+const browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: ["--no-sandbox"] });
+let wrong = 0;
+function check(name, right, told = "") {
+  if (!right) wrong += 1;
+  console.log(`${right ? "ok   " : "WRONG"} ${name} ${told}`);
+}
+
+async function open(options) {
+  const context = await browser.newContext(options);
+  const tab = await context.newPage();
+  tab.setDefaultTimeout(60000);
+  const errors = [];
+  tab.on("console", (message) => message.type() === "error" && errors.push(message.text()));
+  tab.on("pageerror", (error) => errors.push(String(error)));
+  await tab.goto(pathToFileURL(page).href);
+  await tab.waitForSelector("#fluid");
+  return { tab, errors, shoot: (name) => pictures && tab.screenshot({ path: `${pictures}/${name}.png`, fullPage: true }) };
+}
+
+/** Where the picture is blue: the mean of the columns, 0 to 1. */
+const middle = (tab) => tab.evaluate(() => {
+  const canvas = document.getElementById("fluid");
+  const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+  let [sum, count] = [0, 0];
+  for (let at = 0; at < data.length; at += 4) if (data[at + 2] > 180) { sum += (at / 4) % canvas.width; count += 1; }
+  return sum / count / canvas.width;
+});
+const text = (tab, id) => tab.textContent(`#${id}`);
+const verdict = (tab) => tab.waitForSelector("#verdict.same, #verdict.differs").then((found) => found.getAttribute("class"));
+
+const desk = await open({ viewport: { width: 1200, height: 900 } });
+for (const scalar of ["f32", "q16"]) {
+  await desk.tab.click(`#scalar [value=${scalar}]`);
+  await desk.tab.waitForFunction(() => document.getElementById("verdict").className === "");
+  check(`digests of ${scalar}`, (await verdict(desk.tab)) === "same", await text(desk.tab, "here"));
+}
+await desk.tab.waitForTimeout(1000);
+const before = await middle(desk.tab);
+await desk.tab.focus("#dial");
+for (let k = 0; k < 6; k++) await desk.tab.keyboard.press("ArrowRight");
+let after = before;
+// as long as a slow machine may take
+for (let tries = 0; tries < 60 && after < before + 0.1; tries++) {
+  await desk.tab.waitForTimeout(1000);
+  after = await middle(desk.tab);
+}
+check("the fluid moves right", after > before + 0.1, `${before.toFixed(2)} -> ${after.toFixed(2)}`);
+await desk.shoot("desk");
+for (const shape of ["mask", "box", "disc"]) {
+  await desk.tab.click(`#shape [value=${shape}]`);
+  check(`container ${shape}`, (await desk.tab.getAttribute(`#shape [value=${shape}]`, "aria-pressed")) === "true");
+  await desk.tab.waitForTimeout(600);
+  if (shape === "mask") await desk.shoot("heart");
+}
+await desk.tab.click("#view [value=lamps]");
+await desk.tab.mouse.move(200, 500);
+await desk.tab.mouse.down();
+await desk.tab.mouse.move(400, 300, { steps: 8 });
+await desk.tab.mouse.up();
+await desk.shoot("lamps");
+for (const count of [58.2, 64.2, 100]) {
+  for (const scalar of ["f32", "q16"]) {
+    await desk.tab.click("#view [value=smooth]");
+    await desk.tab.click(`#scalar [value=${scalar}]`);
+    await desk.tab.evaluate((at) => {
+      const slider = document.getElementById("count");
+      slider.value = at;
+      slider.dispatchEvent(new Event("input"));
+    }, count);
+    await desk.tab.waitForTimeout(2500);
+    const rate = `${await text(desk.tab, "count-told")} particles ${scalar}: ${await text(desk.tab, "rate")}, ${await text(desk.tab, "cost")}`;
+    check("frames", /[1-9]/.test(rate), rate);
+  }
+}
+await desk.tab.click("#tab-kernels");
+const errorsOf = new Set();
+for (const method of ["interpolate", "shepard", "corrected"]) {
+  await desk.tab.selectOption("#method", method);
+  errorsOf.add(await text(desk.tab, "errors"));
+}
+check("three estimates differ", errorsOf.size === 3, [...errorsOf].at(-1));
+await desk.shoot("kernels");
+await desk.tab.selectOption("#kernel", "viscosity");
+check("viscosity has no sums", (await text(desk.tab, "errors")).includes("diverges"));
+check("no error on the desk", desk.errors.length === 0, desk.errors.join("; "));
+
+const phone = await open({ viewport: { width: 390, height: 844 }, deviceScaleFactor: 2, isMobile: true, hasTouch: true, reducedMotion: "reduce" });
+check("reduced motion begins paused", (await text(phone.tab, "run")) === "Run");
+await phone.shoot("phone");
+check("no line is wider than the phone", await phone.tab.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
+await phone.tab.click("#tab-kernels");
+await phone.shoot("phone-kernels");
+check("no error on the phone", phone.errors.length === 0, phone.errors.join("; "));
+await browser.close();
+process.exitCode = wrong ? 1 : 0;
