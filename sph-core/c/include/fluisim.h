@@ -35,7 +35,7 @@ extern "C" {
 #define FLUISIM_NOT_FINITE (-6)      /* NaN, infinite, or at an end of the fixed-point range */
 #define FLUISIM_BAD_ARGUMENT (-7)    /* a number is too small or too large */
 #define FLUISIM_NOT_INITIALISED (-8) /* the memory holds something else */
-#define FLUISIM_NOT_FOUND (-9)       /* no particle, lamp or kernel of this number or name */
+#define FLUISIM_NOT_FOUND (-9)       /* no particle or kernel of this number or name */
 #define FLUISIM_UNDEFINED (-10)      /* no value: too few samples in reach, or beyond the range of the numbers */
 
 /* 16.16 fixed point. */
@@ -178,64 +178,28 @@ int32_t fluisim_q16_3d_position(const fluisim_q16_3d *fluid, uint16_t index, flu
 int32_t fluisim_q16_3d_velocity(const fluisim_q16_3d *fluid, uint16_t index, fluisim_q16 velocity[3]);
 int32_t fluisim_q16_3d_pressure(const fluisim_q16_3d *fluid, uint16_t index, fluisim_q16 *pressure);
 
-/* ---- Lamps -------------------------------------------------------------------------------------------------------------
+/* ---- Pixels and lamps --------------------------------------------------------------------------------------------------
  *
- * A raster for displays of at most so many columns and rows: take the smallest that holds yours and read the part you have. Pixel
- * (0, 0) is at the bottom left and begins at 0. A lamp comes on where the density reaches `on` and goes out below `off`, so that it
- * does not flicker at the surface: 96 and 64 are good. The density of fluid at rest is 160; bytes end at 255.
+ * A fluid in two dimensions on a display of any size. Each pixel is a byte of an array of columns * rows, row by row from the bottom;
+ * the first pixel begins at (0, 0). The density of fluid at rest is 160; bytes end at 255.
  *
  *     density = 160 sum_i V / w^2 (1 - |x_i - x| / w)+ (1 - |y_i - y| / w)+       V = 1/4, w = max(pixel, 1), at the pixel's centre
+ *
+ * Each particle adds a whole number, the nearest one, to a pixel: where the side of a pixel is above 9 h, that is nothing.
  */
-#define FLUISIM_LAMPS_BYTES(columns, rows) ((size_t)8 + (size_t)2 * (columns) * (rows))
 
-typedef struct fluisim_lamps_8x8 fluisim_lamps_8x8;
+/* Draws the fluid into `density`, columns * rows bytes, `pixel` the side of a pixel in h. FLUISIM_BAD_ARGUMENT: a pixel of 0 or less, or
+ * more pixels than the processor can address; `density` is then as before. */
+int32_t fluisim_f32_2d_draw(const fluisim_f32_2d *fluid, float pixel, uint16_t columns, uint16_t rows, uint8_t *density);
+int32_t fluisim_q16_2d_draw(const fluisim_q16_2d *fluid, fluisim_q16 pixel, uint16_t columns, uint16_t rows, uint8_t *density);
 
-/* Makes dark lamps in `memory` of FLUISIM_LAMPS_BYTES(columns, rows) bytes and writes a pointer to `*lamps`, null after an error.
- * FLUISIM_TOO_SMALL; FLUISIM_BAD_ARGUMENT: `off` above `on`. */
-int32_t fluisim_lamps_8x8_init(void *memory, size_t bytes, uint8_t on, uint8_t off, fluisim_lamps_8x8 **lamps);
+/* Lights the first `count` lamps, 1 or 0: one comes on where the density is `on` or more, goes out below `off`, and stays as it is
+ * between, so that it does not flicker at the surface; 96 and 64 are good. All lamps are 0 at first. FLUISIM_BAD_ARGUMENT: `off` above
+ * `on`. */
+int32_t fluisim_light_lamps(const uint8_t *density, size_t count, uint8_t on, uint8_t off, uint8_t *lamps);
 
-/* Draws a fluid anew, `pixel` the side of a pixel in h. FLUISIM_BAD_ARGUMENT: a pixel of 0 or less. */
-int32_t fluisim_lamps_8x8_draw_f32_2d(fluisim_lamps_8x8 *lamps, const fluisim_f32_2d *fluid, float pixel);
-int32_t fluisim_lamps_8x8_draw_q16_2d(fluisim_lamps_8x8 *lamps, const fluisim_q16_2d *fluid, fluisim_q16 pixel);
-
-/* Whether a lamp is on, 1 or 0; the density of a pixel, 0 to 255. FLUISIM_NOT_FOUND. */
-int32_t fluisim_lamps_8x8_is_lit(const fluisim_lamps_8x8 *lamps, uint16_t column, uint16_t row);
-int32_t fluisim_lamps_8x8_density(const fluisim_lamps_8x8 *lamps, uint16_t column, uint16_t row);
-
-typedef struct fluisim_lamps_16x16 fluisim_lamps_16x16;
-int32_t fluisim_lamps_16x16_init(void *memory, size_t bytes, uint8_t on, uint8_t off, fluisim_lamps_16x16 **lamps);
-int32_t fluisim_lamps_16x16_draw_f32_2d(fluisim_lamps_16x16 *lamps, const fluisim_f32_2d *fluid, float pixel);
-int32_t fluisim_lamps_16x16_draw_q16_2d(fluisim_lamps_16x16 *lamps, const fluisim_q16_2d *fluid, fluisim_q16 pixel);
-int32_t fluisim_lamps_16x16_is_lit(const fluisim_lamps_16x16 *lamps, uint16_t column, uint16_t row);
-int32_t fluisim_lamps_16x16_density(const fluisim_lamps_16x16 *lamps, uint16_t column, uint16_t row);
-
-typedef struct fluisim_lamps_32x8 fluisim_lamps_32x8;
-int32_t fluisim_lamps_32x8_init(void *memory, size_t bytes, uint8_t on, uint8_t off, fluisim_lamps_32x8 **lamps);
-int32_t fluisim_lamps_32x8_draw_f32_2d(fluisim_lamps_32x8 *lamps, const fluisim_f32_2d *fluid, float pixel);
-int32_t fluisim_lamps_32x8_draw_q16_2d(fluisim_lamps_32x8 *lamps, const fluisim_q16_2d *fluid, fluisim_q16 pixel);
-int32_t fluisim_lamps_32x8_is_lit(const fluisim_lamps_32x8 *lamps, uint16_t column, uint16_t row);
-int32_t fluisim_lamps_32x8_density(const fluisim_lamps_32x8 *lamps, uint16_t column, uint16_t row);
-
-typedef struct fluisim_lamps_32x32 fluisim_lamps_32x32;
-int32_t fluisim_lamps_32x32_init(void *memory, size_t bytes, uint8_t on, uint8_t off, fluisim_lamps_32x32 **lamps);
-int32_t fluisim_lamps_32x32_draw_f32_2d(fluisim_lamps_32x32 *lamps, const fluisim_f32_2d *fluid, float pixel);
-int32_t fluisim_lamps_32x32_draw_q16_2d(fluisim_lamps_32x32 *lamps, const fluisim_q16_2d *fluid, fluisim_q16 pixel);
-int32_t fluisim_lamps_32x32_is_lit(const fluisim_lamps_32x32 *lamps, uint16_t column, uint16_t row);
-int32_t fluisim_lamps_32x32_density(const fluisim_lamps_32x32 *lamps, uint16_t column, uint16_t row);
-
-typedef struct fluisim_lamps_64x32 fluisim_lamps_64x32;
-int32_t fluisim_lamps_64x32_init(void *memory, size_t bytes, uint8_t on, uint8_t off, fluisim_lamps_64x32 **lamps);
-int32_t fluisim_lamps_64x32_draw_f32_2d(fluisim_lamps_64x32 *lamps, const fluisim_f32_2d *fluid, float pixel);
-int32_t fluisim_lamps_64x32_draw_q16_2d(fluisim_lamps_64x32 *lamps, const fluisim_q16_2d *fluid, fluisim_q16 pixel);
-int32_t fluisim_lamps_64x32_is_lit(const fluisim_lamps_64x32 *lamps, uint16_t column, uint16_t row);
-int32_t fluisim_lamps_64x32_density(const fluisim_lamps_64x32 *lamps, uint16_t column, uint16_t row);
-
-typedef struct fluisim_lamps_128x64 fluisim_lamps_128x64;
-int32_t fluisim_lamps_128x64_init(void *memory, size_t bytes, uint8_t on, uint8_t off, fluisim_lamps_128x64 **lamps);
-int32_t fluisim_lamps_128x64_draw_f32_2d(fluisim_lamps_128x64 *lamps, const fluisim_f32_2d *fluid, float pixel);
-int32_t fluisim_lamps_128x64_draw_q16_2d(fluisim_lamps_128x64 *lamps, const fluisim_q16_2d *fluid, fluisim_q16 pixel);
-int32_t fluisim_lamps_128x64_is_lit(const fluisim_lamps_128x64 *lamps, uint16_t column, uint16_t row);
-int32_t fluisim_lamps_128x64_density(const fluisim_lamps_128x64 *lamps, uint16_t column, uint16_t row);
+/* A density as the brightness of a display in grey, 0 to 255: 255 for fluid at rest. */
+int32_t fluisim_brightness_of(uint8_t density);
 
 /* ---- Fields ------------------------------------------------------------------------------------------------------------
  *

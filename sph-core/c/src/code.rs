@@ -30,7 +30,7 @@ codes! {
     BAD_ARGUMENT = -7;
     /// The memory does not hold what the function works on.
     NOT_INITIALISED = -8;
-    /// There is no particle, lamp or kernel of this number or name.
+    /// There is no particle or kernel of this number or name.
     NOT_FOUND = -9;
     /// There is no value: too few samples in reach, or a result beyond the range of the numbers.
     UNDEFINED = -10;

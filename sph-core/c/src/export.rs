@@ -39,7 +39,7 @@ pub(crate) use export;
 
 use crate::code::of_result;
 use crate::fluid::{self, Fluid, Walls};
-use crate::{Q16, change, code, pointer};
+use crate::{Q16, change, code, pixels, pointer};
 use core::ffi::c_void;
 use sph_core::fluid::{Disc, Mask, OpenBox, Particle, Settings};
 
@@ -196,7 +196,7 @@ macro_rules! fluid {
             }
         }
     };
-    // In two dimensions there are masks.
+    // In two dimensions there are masks and pixels.
     ($(#[$about:meta])+ $module:ident, $prefix:literal, $T:ty) => {
         fluid! { $(#[$about])+ $module, $prefix, $T, 2, {
             /// An empty fluid in a bitmap.
@@ -219,6 +219,12 @@ macro_rules! fluid {
                         fluid::init((memory, bytes), capacity, container, &WALLS, fluid)
                     })
                 })
+            }
+
+            /// Draws the density of the fluid.
+            fn draw(fluid: *const Fluid<$T, 2>, pixel: $T, columns: u16, rows: u16, density: *mut u8) -> i32 {
+                // SAFETY: as the header says.
+                of_result(unsafe { pixels::draw(fluid, pixel, [columns, rows], density) })
             }
         } }
     };

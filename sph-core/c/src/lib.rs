@@ -3,7 +3,7 @@
 //! The header says what each function does, in which units, and which codes it returns. Here is how:
 //!
 //! * [`fluid`]: what lies in the caller's memory, and what is done with it, once for every number type and dimension.
-//! * [`lamps`]: the raster of `sph-core`, in sizes that are known when the library is compiled.
+//! * [`pixels`]: the raster of `sph-core`, in arrays of the caller.
 //! * [`fields`]: density, value and gradient at a point, over the sums in `sums.rs`.
 //! * [`export`]: the macro that makes the exported functions and the list of their types, which a test holds against the header.
 //!
@@ -21,7 +21,7 @@ pub mod code;
 pub mod export;
 pub mod fields;
 pub mod fluid;
-pub mod lamps;
+pub mod pixels;
 pub mod pointer;
 mod sums;
 

@@ -4,8 +4,7 @@ use core::any::type_name;
 use core::ffi::{c_char, c_void};
 use fluisim_c::export::{self, Behaviour, Signature};
 use fluisim_c::fluid::Fluid;
-use fluisim_c::lamps::{self, Lamps};
-use fluisim_c::{Q16, code, fields};
+use fluisim_c::{Q16, code, fields, pixels};
 use sph_core::fluid::Particle;
 use std::collections::BTreeMap;
 
@@ -29,9 +28,7 @@ fn types() -> BTreeMap<String, &'static str> {
     pointers!(
         "void" c_void, "float" f32, "fluisim_q16" Q16, "uint8_t" u8, "char" c_char, "fluisim_settings" Behaviour,
         "fluisim_f32_2d" Fluid<f32, 2>, "fluisim_q16_2d" Fluid<Q16, 2>, "fluisim_f32_3d" Fluid<f32, 3>,
-        "fluisim_q16_3d" Fluid<Q16, 3>, "fluisim_lamps_8x8" Lamps<8, 8>, "fluisim_lamps_16x16" Lamps<16, 16>,
-        "fluisim_lamps_32x8" Lamps<32, 8>, "fluisim_lamps_32x32" Lamps<32, 32>,
-        "fluisim_lamps_64x32" Lamps<64, 32>, "fluisim_lamps_128x64" Lamps<128, 64>,
+        "fluisim_q16_3d" Fluid<Q16, 3>,
     );
     macro_rules! values {
         ($($c:literal $Type:ty),+ $(,)?) => { $(insert($c, type_name::<$Type>());)+ };
@@ -83,7 +80,7 @@ fn functions_of_the_header() -> Functions {
 }
 
 fn functions_of_the_library() -> Functions {
-    let mut lists: Vec<&[Signature]> = lamps::SIGNATURES.to_vec();
+    let mut lists: Vec<&[Signature]> = vec![pixels::SIGNATURES];
     lists.extend([export::f32_2d::SIGNATURES, export::q16_2d::SIGNATURES, export::f32_3d::SIGNATURES]);
     lists.extend([export::q16_3d::SIGNATURES, fields::f32_2d::SIGNATURES, fields::q16_2d::SIGNATURES]);
     lists.extend([fields::f32_3d::SIGNATURES, fields::q16_3d::SIGNATURES, fields::SIGNATURES]);
@@ -104,7 +101,7 @@ fn every_function_has_the_types_of_its_prototype() {
             "{name}: the header on the left, the library on the right"
         );
     }
-    assert!(library.len() > 100, "{}", library.len());
+    assert!(library.len() > 80, "{}", library.len());
 }
 
 /// The constants of the header that are numbers.
@@ -145,8 +142,5 @@ fn the_macros_of_sizes_have_the_numbers_of_the_library() {
         assert!(HEADER.contains(&line), "the header does not have\n{line}");
     }
     assert_eq!(fluisim_c::fluid::HEAD, 16 + 6 * size_of::<usize>());
-    for &(columns, rows, bytes) in lamps::SIZES {
-        assert_eq!(bytes, 8 + 2 * columns * rows, "FLUISIM_LAMPS_BYTES({columns}, {rows})");
-    }
     assert_eq!((size_of::<Behaviour>(), size_of::<Q16>(), align_of::<Q16>()), (3, 4, 4));
 }

@@ -56,8 +56,28 @@ pub fn draw_density<T: Compact>(particles: &[Particle<T, 2>], pixel: T, columns:
 /// ```
 pub fn light_lamps(density: &[u8], on: u8, off: u8, lamps: &mut [bool]) {
     for (lamp, &density) in lamps.iter_mut().zip(density) {
-        *lamp = density >= if *lamp { off } else { on };
+        *lamp = stays_lit(*lamp, density, on, off);
     }
+}
+
+/// Whether a lamp is lit that was lit or not, at a density, by the rule of [`light_lamps`].
+#[inline]
+#[must_use]
+pub const fn stays_lit(was_lit: bool, density: u8, on: u8, off: u8) -> bool {
+    density >= if was_lit { off } else { on }
+}
+
+/// A density as a brightness for displays in grey: 255 for fluid at rest.
+///
+/// ```
+/// use sph_core::fluid::{Raster, raster::brightness};
+/// assert_eq!([0, 80, Raster::<1, 1>::FULL, 255].map(brightness), [0, 127, 255, 255]);
+/// ```
+#[inline]
+#[must_use]
+pub const fn brightness(density: u8) -> u8 {
+    // 160 + 160 · 19 / 32 = 255
+    density.saturating_add(((density as u16).wrapping_mul(19) / 32) as u8)
 }
 
 /// w, the half of a tent's foot: lengths here are integers in units of w / 2¹⁶.
@@ -220,9 +240,7 @@ impl<const W: usize, const H: usize> Raster<W, H> {
     /// assert_eq!(grey.brightness(0, 0), 127);
     /// ```
     pub fn brightness(&self, column: usize, row: usize) -> u8 {
-        let density = self.density(column, row);
-        // 160 · 51 / 32 = 255
-        density.saturating_add((u16::from(density).wrapping_mul(19) / 32) as u8)
+        brightness(self.density(column, row))
     }
 
     /// Whether a lamp is on; false outside the grid.

@@ -22,7 +22,7 @@ static void expect_at(int line, int32_t found, int32_t expected) {
 /* Places that are not aligned. */
 #define ODD(Type, pointer) ((Type *)(void *)((char *)(pointer) + 1))
 
-/* The largest of the fluids here, and the smallest lamps. */
+/* The largest of the fluids here. */
 static FLUISIM_MEMORY(memory, FLUISIM_F32_3D_BYTES(4, FLUISIM_CELLS_3D(5, 5, 5)));
 static FLUISIM_MEMORY(before, FLUISIM_F32_3D_BYTES(4, FLUISIM_CELLS_3D(5, 5, 5)));
 
@@ -68,13 +68,13 @@ static fluisim_q16 q16_not_finite(int which) { return which == 0 ? INT32_MAX : w
 #define UPPER F32
 #include "wrong.h"
 
-/* Bitmaps and lamps are for two dimensions. */
-static void masks_and_lamps(void) {
+/* Bitmaps and pixels are for two dimensions. */
+static void masks_and_pixels(void) {
     static const uint8_t bits[3] = {0xe0, 0xa0, 0xe0};
     const float hole[2] = {3, 3}, open[2] = {1, 1}, down[2] = {0, -0.005f};
     fluisim_f32_2d *fluid;
-    fluisim_lamps_8x8 *lamps;
-    static FLUISIM_MEMORY(room, FLUISIM_LAMPS_BYTES(8, 8));
+    uint8_t density[7] = {7, 7, 7, 7, 7, 7, 7}, lamps[5] = {0, 0, 1, 1, 9};
+    static const uint8_t lit[4] = {96, 95, 64, 63};
     EXPECT(fluisim_f32_2d_init_mask(memory, sizeof memory, 4, NULL, 3, 3, 2, &fluid), FLUISIM_NULL);
     EXPECT(fluisim_f32_2d_init_mask(memory, sizeof memory, 4, bits, 0, 3, 2, &fluid), FLUISIM_BAD_ARGUMENT);
     EXPECT(fluisim_f32_2d_init_mask(memory, sizeof memory, 4, bits, 3, 0, 2, &fluid), FLUISIM_BAD_ARGUMENT);
@@ -88,25 +88,26 @@ static void masks_and_lamps(void) {
     EXPECT(fluisim_f32_2d_add(fluid, open, NULL), FLUISIM_OK);
     EXPECT(fluisim_f32_2d_step(fluid, down), FLUISIM_OK);
 
-    EXPECT(fluisim_lamps_8x8_init(NULL, sizeof room, 96, 64, &lamps), FLUISIM_NULL);
-    EXPECT(fluisim_lamps_8x8_init(room, sizeof room, 96, 64, NULL), FLUISIM_NULL);
-    EXPECT(fluisim_lamps_8x8_init(ODD(void, room), sizeof room - 1, 96, 64, &lamps), FLUISIM_MISALIGNED);
-    EXPECT(fluisim_lamps_8x8_init(room, FLUISIM_LAMPS_BYTES(8, 8) - 1, 96, 64, &lamps), FLUISIM_TOO_SMALL);
-    EXPECT(fluisim_lamps_8x8_init(room, sizeof room, 64, 96, &lamps), FLUISIM_BAD_ARGUMENT);
-    EXPECT(lamps == NULL, 1);
-    EXPECT(fluisim_lamps_8x8_is_lit((fluisim_lamps_8x8 *)(void *)room, 0, 0), FLUISIM_NOT_INITIALISED);
-    EXPECT(fluisim_lamps_8x8_init(room, FLUISIM_LAMPS_BYTES(8, 8), 30, 20, &lamps), FLUISIM_OK);
-    EXPECT(fluisim_lamps_8x8_is_lit(lamps, 1, 1), 0);
-    EXPECT(fluisim_lamps_8x8_draw_f32_2d(NULL, fluid, 1), FLUISIM_NULL);
-    EXPECT(fluisim_lamps_8x8_draw_f32_2d(lamps, NULL, 1), FLUISIM_NULL);
-    EXPECT(fluisim_lamps_8x8_draw_f32_2d(lamps, fluid, 0), FLUISIM_BAD_ARGUMENT);
-    EXPECT(fluisim_lamps_8x8_draw_f32_2d(lamps, fluid, f32_not_finite(1)), FLUISIM_NOT_FINITE);
-    EXPECT(fluisim_lamps_8x8_draw_q16_2d(lamps, (fluisim_q16_2d *)(void *)memory, 65536), FLUISIM_NOT_INITIALISED);
-    EXPECT(fluisim_lamps_8x8_draw_f32_2d(lamps, fluid, 2), FLUISIM_OK);
-    EXPECT(fluisim_lamps_8x8_density(lamps, 0, 0) > 0, 1);
-    EXPECT(fluisim_lamps_8x8_density(lamps, 8, 0), FLUISIM_NOT_FOUND);
-    EXPECT(fluisim_lamps_8x8_is_lit(lamps, 0, 8), FLUISIM_NOT_FOUND);
-    EXPECT(fluisim_lamps_8x8_is_lit(NULL, 0, 0), FLUISIM_NULL);
+    EXPECT(fluisim_f32_2d_draw(NULL, 1, 3, 2, density), FLUISIM_NULL);
+    EXPECT(fluisim_f32_2d_draw(fluid, 1, 3, 2, NULL), FLUISIM_NULL);
+    EXPECT(fluisim_f32_2d_draw(fluid, 1, 0, 2, NULL), FLUISIM_OK);
+    EXPECT(fluisim_f32_2d_draw(ODD(fluisim_f32_2d, fluid), 1, 3, 2, density), FLUISIM_MISALIGNED);
+    EXPECT(fluisim_f32_2d_draw(fluid, 0, 3, 2, density), FLUISIM_BAD_ARGUMENT);
+    EXPECT(fluisim_f32_2d_draw(fluid, f32_not_finite(1), 3, 2, density), FLUISIM_NOT_FINITE);
+    EXPECT(fluisim_q16_2d_draw((fluisim_q16_2d *)(void *)memory, 65536, 3, 2, density), FLUISIM_NOT_INITIALISED);
+    EXPECT(density[0], 7);
+    EXPECT(fluisim_f32_2d_draw(fluid, 2, 3, 2, density), FLUISIM_OK);
+    EXPECT(density[0] > 0 && density[0] <= 10, 1);
+    EXPECT(density[6], 7);
+
+    EXPECT(fluisim_light_lamps(NULL, 2, 96, 64, lamps), FLUISIM_NULL);
+    EXPECT(fluisim_light_lamps(lit, 4, 96, 64, NULL), FLUISIM_NULL);
+    EXPECT(fluisim_light_lamps(NULL, 0, 96, 64, NULL), FLUISIM_OK);
+    EXPECT(fluisim_light_lamps(lit, 4, 64, 96, lamps), FLUISIM_BAD_ARGUMENT);
+    EXPECT(fluisim_light_lamps(lit, 4, 96, 64, lamps), FLUISIM_OK);
+    EXPECT(lamps[0] == 1 && lamps[1] == 0 && lamps[2] == 1 && lamps[3] == 0 && lamps[4] == 9, 1);
+    EXPECT(fluisim_brightness_of(160), 255);
+    EXPECT(fluisim_brightness_of(80), 127);
 }
 
 int main(void) {
@@ -114,7 +115,7 @@ int main(void) {
     wrong_q16_2d();
     wrong_f32_3d();
     wrong_q16_3d();
-    masks_and_lamps();
+    masks_and_pixels();
     EXPECT(fluisim_kernel(NULL), FLUISIM_NULL);
     EXPECT(fluisim_kernel("poly"), FLUISIM_NOT_FOUND);
     EXPECT(fluisim_kernel("wendland-c6"), FLUISIM_KERNEL_WENDLAND_C6);
