@@ -27,6 +27,7 @@ function setRunning(run) {
   running = run;
   element("run").textContent = run ? "Pause" : "Run";
   element("run").setAttribute("aria-pressed", run);
+  if (!scene.done) element("verdict").textContent = run ? "running" : "press Run";
 }
 
 function setOption(name, value) {
@@ -49,7 +50,7 @@ function newScene() {
   scene = new Scene(exports, scenes, pool.options.scalar);
   element("golden").textContent = GOLDEN[scene.row("positions")];
   element("verdict").className = "";
-  element("verdict").textContent = "running";
+  element("verdict").textContent = running ? "running" : "press Run";
 }
 
 /** Moves the scene of the digests and tells them. */

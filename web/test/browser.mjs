@@ -92,6 +92,7 @@ check("no error on the desk", desk.errors.length === 0, desk.errors.join("; "));
 
 const phone = await open({ viewport: { width: 390, height: 844 }, deviceScaleFactor: 2, isMobile: true, hasTouch: true, reducedMotion: "reduce" });
 check("reduced motion begins paused", (await text(phone.tab, "run")) === "Run");
+check("and says so", (await text(phone.tab, "verdict")) === "press Run");
 await phone.shoot("phone");
 check("no line is wider than the phone", await phone.tab.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
 await phone.tab.click("#tab-kernels");
