@@ -178,6 +178,56 @@ fn a_coincident_pair_parts_by_itself() {
     assert!(spacings[0] > 0.35, "{spacings:?}");
 }
 
+/// The pressure in the middle of five particles after a frame of one pass that began with some pressure.
+fn pressure_after<T: Compact>(before: f64) -> f64 {
+    let settings = Settings { iterations: 1, ..Settings::DEFAULT };
+    let mut fluid =
+        PositionBasedFluid::<T, _, 2, 5, 64>::with_settings(OpenBox::new([T::from_f64(6.5); 2]), settings);
+    for [x, y] in [[0.0, 0.0], [-0.35, 0.0], [0.35, 0.0], [0.0, -0.35], [0.0, 0.35]] {
+        fluid.add(at::<T>(3.25 + x, 3.25 + y).with_pressure(T::from_f64(before))).unwrap();
+    }
+    fluid.step([T::ZERO; 2]);
+    fluid.particles().iter().map(|p| p.pressure().to_f64()).fold(f64::MIN, f64::max)
+}
+
+/// p = κ (Σ t³ / 3.05 − 1) + 3/10 of the pressure before, κ = 1.
+fn keeps_three_tenths_of_the_pressure<T: Compact>(tolerance: f64) {
+    let excess = (1.0 + 4.0 * (1.0 - 0.35_f64.powi(2)).powi(3)) / 3.05 - 1.0;
+    for before in [0.0, 0.1, 0.25, 0.4] {
+        let (found, expected) = (pressure_after::<T>(before), excess + 0.3 * before);
+        assert!((found - expected).abs() < tolerance, "{}: {found} for {expected}", T::NAME);
+    }
+}
+
+#[test]
+fn a_pass_begins_with_a_share_of_the_pressure() {
+    keeps_three_tenths_of_the_pressure::<f32>(1e-5);
+    keeps_three_tenths_of_the_pressure::<f64>(1e-12);
+}
+
+/// Particles that are thrown at the floor, too far apart to touch each other, come to lie in 16 heights.
+fn lie_at_sixteen_heights<T: Compact>(tolerance: f64) {
+    let mut fluid =
+        PositionBasedFluid::<T, _, 2, 32, 150>::new(OpenBox::new([T::from_f64(49.5), T::from_f64(2.0)]));
+    for k in 0..32 {
+        let place = [0.75 + 1.5 * f64::from(k), 0.5].map(T::from_f64);
+        fluid.add(Particle::new(place, [T::ZERO, T::from_f64(-0.9)])).unwrap();
+    }
+    fluid.step([T::ZERO; 2]);
+    let mut heights: Vec<f64> = fluid.particles().iter().map(|p| p.position()[1].to_f64()).collect();
+    heights.sort_by(f64::total_cmp);
+    for (place, height) in heights.iter().enumerate() {
+        let expected = (1 + place / 2) as f64 / 128.0;
+        assert!((height - expected).abs() < tolerance, "{}: {height} for {expected}", T::NAME);
+    }
+}
+
+#[test]
+fn a_blow_does_not_press_the_fluid_to_a_line() {
+    lie_at_sixteen_heights::<f32>(1e-6);
+    lie_at_sixteen_heights::<f64>(1e-12);
+}
+
 #[cfg(feature = "fixed")]
 mod fixed_point {
     use super::*;
@@ -189,6 +239,14 @@ mod fixed_point {
         comes_to_rest::<Saturating<I16F16>>();
         comes_to_rest::<Wrapping<I8F24>>();
         comes_to_rest::<Checked<I16F48>>();
+    }
+
+    #[test]
+    fn pressure_is_kept_and_a_blow_spread_as_in_floats() {
+        keeps_three_tenths_of_the_pressure::<Saturating<I16F16>>(2e-3);
+        keeps_three_tenths_of_the_pressure::<Wrapping<I8F24>>(2e-3);
+        lie_at_sixteen_heights::<Saturating<I16F16>>(2e-4);
+        lie_at_sixteen_heights::<Wrapping<I8F24>>(2e-4);
     }
 
     /// What 2^−14 in 32 bits cannot tell is refused, not taken for another place.
