@@ -146,30 +146,70 @@ impl Grid {
             return;
         }
         let (column, row) = (self.first(x), self.first(y));
-        let from = self.rise(x, column);
+        let foot = self.foot(self.rise(x, column), columns.saturating_sub(column));
+        let first = column.wrapping_add(foot.before);
         let mut rise = self.rise(y, row);
         let mut rest = density.get_mut(row.wrapping_mul(columns)..).unwrap_or_default();
         while rise < 2 * WIDTH
             && let Some((pixels, above)) = rest.split_at_mut_checked(columns)
         {
             let light = self.light.wrapping_mul(tent(rise)) >> 8;
-            self.add_row(pixels.get_mut(column..).unwrap_or_default(), from, light);
+            if light > 0 {
+                self.add_row(pixels.get_mut(first..).unwrap_or_default(), &foot, light);
+            }
             rise = rise.wrapping_add(self.pixel);
             rest = above;
         }
     }
 
-    /// Adds so much light under a tent to the pixels of a row.
+    /// The pixels under a tent, of at most `count`, of which the first is so far beyond the tent's lower end.
     #[inline(always)]
-    fn add_row(&self, pixels: &mut [u8], mut rise: i32, light: u32) {
-        for pixel in pixels {
-            if rise >= 2 * WIDTH {
-                return;
+    fn foot(&self, mut rise: i32, mut count: usize) -> Foot {
+        let mut number = [0_usize; 3];
+        let mut tents = [0; 2];
+        for (part, end) in [0, WIDTH, 2 * WIDTH - 1].into_iter().enumerate() {
+            let begin = rise;
+            while rise <= end && count > 0 {
+                (number[part], count) = (number[part].wrapping_add(1), count.wrapping_sub(1));
+                rise = rise.wrapping_add(self.pixel);
             }
-            let share = light.wrapping_mul(tent(rise)).wrapping_add(1 << 15) >> 16;
-            *pixel = pixel.saturating_add(share as u8);
-            rise = rise.wrapping_add(self.pixel);
+            if part > 0 {
+                tents[part - 1] = tent(begin);
+            }
         }
+        Foot { before: number[0], rising: number[1], falling: number[2], tents }
+    }
+
+    /// Adds so much light under a tent to the pixels of a row from its foot on: the shares rise and fall in equal steps.
+    #[inline(always)]
+    fn add_row(&self, pixels: &mut [u8], foot: &Foot, light: u32) {
+        let step = light.wrapping_mul(self.pixel as u32) >> 8;
+        let (rising, rest) = pixels.split_at_mut(foot.rising.min(pixels.len()));
+        add_shares(rising, light.wrapping_mul(foot.tents[0]), step);
+        let falling = foot.falling.min(rest.len());
+        add_shares(rest.split_at_mut(falling).0, light.wrapping_mul(foot.tents[1]), step.wrapping_neg());
+    }
+}
+
+/// Pixels of a row under a tent.
+struct Foot {
+    /// Before the tent.
+    before: usize,
+    /// Up to its top.
+    rising: usize,
+    /// Beyond it.
+    falling: usize,
+    /// 256 times the tent at the first of those that rise and of those that fall.
+    tents: [u32; 2],
+}
+
+/// Adds shares in units of 2^−16, each by `step` more than the one before, to the nearest whole number.
+#[inline(always)]
+fn add_shares(pixels: &mut [u8], share: u32, step: u32) {
+    let mut share = share.wrapping_add(1 << 15);
+    for pixel in pixels {
+        *pixel = pixel.saturating_add((share >> 16) as u8);
+        share = share.wrapping_add(step);
     }
 }
 

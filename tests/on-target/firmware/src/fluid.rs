@@ -1,10 +1,10 @@
-//! A dam break of a position-based fluid, counted pass by pass.
+//! A dam break of a position-based fluid, counted pass by pass, and what it takes to draw it.
 
 use crate::clock;
 use core::hint::black_box;
 use sph_core::Scalar;
 use sph_core::fluid::pbf::Pass;
-use sph_core::fluid::{OpenBox, Particle, PositionBasedFluid};
+use sph_core::fluid::{OpenBox, Particle, PositionBasedFluid, Raster};
 use sph_core::scalar::compact::Compact;
 
 /// At most `CAP` particles in a box of 16 × 11 cells.
@@ -41,7 +41,28 @@ pub fn run<T: Compact, const CAP: usize>(fluid: &mut Fluid<T, CAP>, columns: usi
         frame(fluid, gravity);
     }
     report::<T, CAP>(taken);
+    draw::<T, 16, 8>(fluid.particles(), T::ratio(97, 100), "raster 16 x 8");
+    draw::<T, 62, 30>(fluid.particles(), T::ratio(1, 4), "raster 62 x 30");
     fluid.len() == CAP
+}
+
+/// How many particles are drawn.
+const DRAWN: usize = 200;
+
+/// Counts the instructions of a raster and logs them a particle, as those of a frame are.
+#[inline(never)]
+fn draw<T: Compact, const W: usize, const H: usize>(
+    particles: &[Particle<T, 2>],
+    pixel: T,
+    name: &str,
+) {
+    let mut raster = Raster::<W, H>::new();
+    let drawn = particles.get(..DRAWN).unwrap_or_default();
+    let before = clock::now();
+    raster.update(black_box(drawn), black_box(pixel));
+    let each = clock::between(before, clock::now()) / DRAWN as u32;
+    black_box(&raster);
+    defmt::println!("{=str},{=usize},{=str},{=u32}", <T as Scalar>::NAME, drawn.len(), name, each);
 }
 
 /// A frame as a user's program has it.
