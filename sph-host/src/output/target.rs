@@ -102,15 +102,9 @@ impl Target {
     ///
     /// # Errors
     ///
-    /// [`WriteError::NotAFile`] for a name of standard output or another open file (`/dev/…`, `/proc/…`), [`WriteError::UnknownEnding`]
-    /// and [`WriteError::NeedsGrid`] first, for they are seen without looking at any file; then what [`Target::check_place`] reports.
+    /// [`WriteError::UnknownEnding`] and [`WriteError::NeedsGrid`] first, for they are seen without looking at any file;
+    /// then what [`Target::check_place`] reports.
     pub fn check(&self, grid: bool) -> Result<&'static Format, WriteError> {
-        if cfg!(unix)
-            && ["/dev", "/proc"].iter().any(|folder| self.path.starts_with(folder))
-            && !self.is_shared_memory()
-        {
-            return Err(WriteError::NotAFile(self.path.clone()));
-        }
         let format = Format::of(&self.path).ok_or_else(|| WriteError::UnknownEnding(self.path.clone()))?;
         if format.needs_grid && !grid {
             return Err(WriteError::NeedsGrid(self.path.clone()));
@@ -180,11 +174,6 @@ impl Target {
             }
             _ => Ok(()),
         }
-    }
-
-    /// Whether the file is in the folder of memory that is a file system.
-    fn is_shared_memory(&self) -> bool {
-        self.path.starts_with("/dev/shm")
     }
 
     /// A temporary file beside the target.

@@ -1,18 +1,18 @@
 //! What would not fit in memory is refused before it is built.
 
-use super::definition::{Case, Form};
+use super::definition::Form;
 use super::error::Error;
 use crate::memory;
 
-/// Bytes for each particle of fluid or wall, fewer than any solver takes: WCSPH was measured to take 650 (three dimensions) to 770 (two).
-const BYTES_A_PARTICLE: f64 = 400.0;
+/// Bytes for each particle of fluid or wall: WCSPH was measured to take 650 (three dimensions) to 770 (two).
+const BYTES_A_PARTICLE: f64 = 600.0;
 
-/// The resolution of which particles are counted to know those of another.
-const PROBE: u32 = 8;
+/// The resolution of which particles are counted, and twice it, to know those of another.
+const PROBE: u32 = 16;
 
 /// Refuses a case whose particles cannot fit in memory.
 pub(super) fn refuse_oversize<const D: usize>(form: &Form<D>, resolution: u32) -> Result<(), Error> {
-    let particles = particles(&*(form.build)(PROBE), resolution);
+    let particles = particles(form, resolution);
     let needed = particles * BYTES_A_PARTICLE;
     let available = memory::available().map_or(f64::INFINITY, |bytes| bytes as f64);
     if needed <= available {
@@ -21,13 +21,17 @@ pub(super) fn refuse_oversize<const D: usize>(form: &Form<D>, resolution: u32) -
     Err(Error::TooLarge { resolution, dim: D, particles, needed, available })
 }
 
-/// About how many particles a case has at a resolution: the fluid's grow as its volume, those of the walls, which are a few layers
-/// thick, as its surface.
-fn particles<const D: usize>(probe: &dyn Case<D>, resolution: u32) -> f64 {
-    let setup = probe.setup();
-    let finer = f64::from(resolution) / f64::from(PROBE);
-    let [fluid, walls] = [setup.positions.len(), setup.walls.len()].map(|count| count as f64);
-    (fluid * finer + walls) * finer.powi(D as i32 - 1)
+/// About how many particles a case has at a resolution: those of the fluid and those of its walls each grow by the power that
+/// two coarse resolutions show.
+fn particles<const D: usize>(form: &Form<D>, resolution: u32) -> f64 {
+    let count = |resolution| {
+        let setup = (form.build)(resolution).setup();
+        [setup.positions.len() as f64, setup.walls.len() as f64]
+    };
+    let (coarse, fine) = (count(PROBE), count(2 * PROBE));
+    let finer = f64::from(resolution) / f64::from(2 * PROBE);
+    let grown = |(coarse, fine): (f64, f64)| fine * finer.powf((fine / coarse.max(1.0)).max(1.0).log2());
+    coarse.into_iter().zip(fine).map(grown).sum()
 }
 
 #[cfg(test)]
@@ -41,7 +45,7 @@ mod tests {
             let Some(form) = &case.definition().in_2d else { continue };
             let setup = (form.build)(40).setup();
             let found = (setup.positions.len() + setup.walls.len()) as f64;
-            let expected = particles(&*(form.build)(PROBE), 40);
+            let expected = particles(form, 40);
             assert!((expected / found - 1.0).abs() < 0.15, "{case}: {expected} for {found}");
         }
     }

@@ -21,7 +21,7 @@ fn standard_output_may_be_named() {
     let words = "sample demo:vortex --particles 400 --grid 20,20";
     assert_eq!(folder.succeed(&format!("{words} --out /dev/stdout")).stdout, folder.succeed(words).stdout);
     let said = folder.run(&format!("{words} --out /dev/stderr"));
-    assert_eq!((said.status, said.stdout.as_str()), (Some(1), ""), "{}", said.stderr);
+    assert_eq!((said.status, said.stdout.as_str()), (Some(2), ""), "{}", said.stderr);
 }
 
 #[test]
