@@ -4,11 +4,11 @@
 use sph_core::kernel::{self, Kernel};
 use sph_lab::Format;
 
-#[path = "../tests/shared/bounds.rs"]
+#[path = "../tests/common/bounds.rs"]
 mod bounds;
-#[path = "../tests/shared/double_double.rs"]
+#[path = "../tests/common/double_double.rs"]
 mod double_double;
-#[path = "../tests/shared/random.rs"]
+#[path = "../tests/common/random.rs"]
 mod random;
 
 /// Cases of each kernel and dimension.

@@ -7,7 +7,7 @@ use sph_core::scalar::fixed::{I16F16, Saturating};
 use sph_core::{CellGrid, CellLayout, Field, KernelInfluence, Scalar, Sources, Uniform};
 use sph_lab::{Blame, Dual, Emulated, Format, Interval, Mini, MiniFormat, Running, Shadow, Tally, watch};
 
-#[path = "../tests/shared/random.rs"]
+#[path = "../tests/common/random.rs"]
 mod random;
 
 use random::Random;

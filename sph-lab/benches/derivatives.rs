@@ -3,11 +3,11 @@
 
 use sph_core::kernel::{self, Kernel};
 
-#[path = "../tests/shared/derivatives.rs"]
+#[path = "../tests/common/derivatives.rs"]
 mod derivatives;
-#[path = "../tests/shared/double_double.rs"]
+#[path = "../tests/common/double_double.rs"]
 mod double_double;
-#[path = "../tests/shared/random.rs"]
+#[path = "../tests/common/random.rs"]
 mod random;
 
 /// Points of each kernel in each dimension.

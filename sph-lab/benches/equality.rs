@@ -6,7 +6,7 @@ use sph_core::scalar::fixed::*;
 
 #[path = "../tests/equals_compiled/fields.rs"]
 mod fields;
-#[path = "../tests/shared/random.rs"]
+#[path = "../tests/common/random.rs"]
 mod random;
 
 /// Points of each comparison.

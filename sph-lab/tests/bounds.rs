@@ -5,11 +5,11 @@ use sph_core::kernel::{CubicSpline, Kernel, Poly6, QuinticSpline, Spiky, Wendlan
 use sph_core::{Arithmetic, Scalar};
 use sph_lab::{Emulated, Format, Interval, Rounding, Running};
 
-#[path = "shared/bounds.rs"]
+#[path = "common/bounds.rs"]
 mod bounds;
-#[path = "shared/double_double.rs"]
+#[path = "common/double_double.rs"]
 mod double_double;
-#[path = "shared/random.rs"]
+#[path = "common/random.rs"]
 mod random;
 
 use double_double::DoubleDouble;

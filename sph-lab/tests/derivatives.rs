@@ -5,11 +5,11 @@ use sph_core::kernel::{Poly6, QuinticSpline, Spiky, WendlandC2};
 use sph_core::{Accumulator, Arithmetic, Influence, KernelInfluence, Scalar};
 use sph_lab::{Dual, Emulated, Format, Interval};
 
-#[path = "shared/derivatives.rs"]
+#[path = "common/derivatives.rs"]
 mod derivatives;
-#[path = "shared/double_double.rs"]
+#[path = "common/double_double.rs"]
 mod double_double;
-#[path = "shared/random.rs"]
+#[path = "common/random.rs"]
 mod random;
 
 /// A function, and its value and derivatives by x and y in closed form.

@@ -5,7 +5,7 @@ use sph_core::scalar::fixed::{Checked, I4F12, I8F24, I16F16, Saturating};
 use sph_core::{Arithmetic, BruteForce, Field, Influence, KernelInfluence, Scalar, Sources, Uniform};
 use sph_lab::{Blame, Emulated, Format, Operation, Record, Shadow, Tally, blame, watch};
 
-#[path = "shared/random.rs"]
+#[path = "common/random.rs"]
 mod random;
 
 use random::Random;

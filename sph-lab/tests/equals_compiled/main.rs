@@ -9,7 +9,7 @@ use sph_core::{Accumulator, Scalar};
 use sph_lab::{Emulated, Format};
 
 mod fields;
-#[path = "../shared/random.rs"]
+#[path = "../common/random.rs"]
 mod random;
 
 /// What the operations give, as bits.
