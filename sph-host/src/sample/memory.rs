@@ -1,9 +1,8 @@
 //! What would not fit in memory.
 
-use sysinfo::System;
-
 use super::error::SampleError;
 use super::request::{ParticleSource, Request, SamplePoints};
+use crate::memory;
 
 /// Refuses what cannot fit in memory, before anything is read.
 pub(super) fn refuse_oversize(request: &Request) -> Result<(), SampleError> {
@@ -21,12 +20,6 @@ pub(super) fn refuse_oversize(request: &Request) -> Result<(), SampleError> {
     let columns = fields * (1.0 + if request.gradient { dim as f64 } else { 0.0 });
     // coordinates and columns as f64; a built-in set's particles with what sums need of them
     let needed = points * 8.0 * (dim as f64 + columns) + count * 8.0 * 16.0;
-    // Where the system does not say, there is nothing to refuse by.
-    let Ok(mut system) = System::new() else { return Ok(()) };
-    system.refresh_memory();
-    let available = system.available_memory() as f64;
-    if needed <= available {
-        return Ok(());
-    }
+    let Some(available) = memory::short_of(needed) else { return Ok(()) };
     Err(SampleError::TooLarge { points, at: request.at.clone(), particles, needed, available })
 }

@@ -1,19 +1,19 @@
 //! Small files that claim much: refused, or faults of their arrays, in a moment and without the memory that they ask for.
 
-use std::time::{Duration, Instant};
+use std::sync::mpsc;
+use std::time::Duration;
 
 use zip::CompressionMethod;
 
 use crate::support::{archive, npy, read, unusable};
 
-/// Far above what any of these takes, far below what each took without a budget.
-const SOON: Duration = Duration::from_secs(10);
+/// A watchdog, no measure of speed: each takes seconds on any machine, and hours where the time grows as the square of the file.
+const HANG: Duration = Duration::from_secs(300);
 
-fn soon<T>(work: impl FnOnce() -> T) -> T {
-    let start = Instant::now();
-    let result = work();
-    assert!(start.elapsed() < SOON, "{:?}", start.elapsed());
-    result
+fn without_hanging<T: Send + 'static>(work: impl FnOnce() -> T + Send + 'static) -> T {
+    let (sender, receiver) = mpsc::channel();
+    std::thread::spawn(move || sender.send(work()));
+    receiver.recv_timeout(HANG).expect("a result before the watchdog")
 }
 
 #[test]
@@ -43,7 +43,7 @@ fn dimensions_are_no_more_than_numpy_has() {
         member[at..at + order.len()].copy_from_slice(b"True ");
         let members = [("x.npy", npy("(1,)", &[0.0])), ("a.npy", member)];
         let bytes = archive(&members, CompressionMethod::Deflated);
-        let said = soon(|| unusable(&read("p.npz", &bytes), "a"));
+        let said = unusable(&read("p.npz", &bytes), "a");
         assert!(said.contains(&format!("{count} dimensions, where at most 64")), "{said}");
     }
 }
@@ -77,7 +77,7 @@ fn arrays_that_share_packed_bytes_are_unpacked_no_oftener_than_the_file_can_pay(
     }
     bytes.extend(packed);
     bytes.extend(b"</AppendedData></VTKFile>");
-    let table = soon(|| read("p.vtu", &bytes));
+    let table = read("p.vtu", &bytes);
     let said = unusable(&table, &format!("a{}", arrays - 1));
     assert!(said.contains("to be unpacked, but of what a file of this size can hold"), "{said}");
     assert!(table.quantity("a0").is_ok());
@@ -87,24 +87,24 @@ fn arrays_that_share_packed_bytes_are_unpacked_no_oftener_than_the_file_can_pay(
 
 #[test]
 fn names_on_one_line_are_looked_at_once() {
-    let blocks = 300_000;
+    let blocks = 1_000_000;
     let text = format!(
         "# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\nPOINTS 1 float 0 0 0 {}",
         "VERTICES 0 0 ".repeat(blocks)
     );
-    assert_eq!(soon(|| read("p.vtk", text)).len(), 1);
+    assert_eq!(without_hanging(move || read("p.vtk", text)).len(), 1);
 }
 
 #[test]
 fn text_in_pieces_behind_blanks_is_looked_through_once() {
-    let (blanks, pieces) = (" ".repeat(1_000_000), "1<!-- -->".repeat(100_000));
+    let (blanks, pieces) = (" ".repeat(3_000_000), "1<!-- -->".repeat(300_000));
     let text = format!(
         "<VTKFile type=\"PolyData\"><PolyData><Piece NumberOfPoints=\"1\"><Points>\
          <DataArray type=\"Float32\" NumberOfComponents=\"3\" format=\"ascii\">0 0 0</DataArray></Points><PointData>\
          <DataArray type=\"Float32\" Name=\"a\" format=\"ascii\">{blanks}{pieces}</DataArray></PointData></Piece>\
          </PolyData></VTKFile>"
     );
-    soon(|| read("p.vtp", text));
+    without_hanging(move || read("p.vtp", text));
 }
 
 #[test]
@@ -120,6 +120,6 @@ fn names_that_are_missing_are_made_up_in_time() {
          <DataArray type=\"Float32\" NumberOfComponents=\"3\">0 0 0</DataArray></Points><PointData>\
          {taken}<DataArray type=\"Float32\">1</DataArray></PointData></Piece></PolyData></VTKFile>"
     );
-    let table = soon(|| read("p.vtp", text));
+    let table = without_hanging(move || read("p.vtp", text));
     assert!(table.arrays.last().unwrap().name.ends_with("____"));
 }
