@@ -199,7 +199,7 @@ int32_t fluisim_q16_2d_draw(const fluisim_q16_2d *fluid, fluisim_q16 pixel, uint
 int32_t fluisim_light_lamps(const uint8_t *density, size_t count, uint8_t on, uint8_t off, uint8_t *lamps);
 
 /* A density as the brightness of a display in grey, 0 to 255: 255 for fluid at rest. */
-int32_t fluisim_brightness_of(uint8_t density);
+int32_t fluisim_brightness(uint8_t density);
 
 /* ---- Fields ------------------------------------------------------------------------------------------------------------
  *

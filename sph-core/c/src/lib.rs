@@ -1,4 +1,4 @@
-//! `fluisim.h` in Rust: the position-based fluid in memory of the caller, lamps, and fields over arrays of the caller.
+//! `fluisim.h` in Rust: the position-based fluid in memory of the caller, pixels and lamps, and fields over arrays of the caller.
 //!
 //! The header says what each function does, in which units, and which codes it returns. Here is how:
 //!

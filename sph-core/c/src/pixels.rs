@@ -4,7 +4,7 @@ use crate::code::{self, of_result};
 use crate::export::export;
 use crate::fluid::{self, Fluid};
 use crate::pointer;
-use sph_core::fluid::raster::{brightness, draw_density, stays_lit};
+use sph_core::fluid::raster::{self, draw_density, lamp_after};
 use sph_core::scalar::compact::Compact;
 
 /// Draws the density of a fluid into `rows` rows of `columns` pixels.
@@ -45,7 +45,7 @@ unsafe fn light((density, lamps, count): (*const u8, *mut u8, usize), on: u8, of
     // SAFETY: as this function.
     let (density, lamps) = unsafe { (pointer::slice(density, count)?, pointer::slice_mut(lamps, count)?) };
     for (lamp, &density) in lamps.iter_mut().zip(density) {
-        *lamp = stays_lit(*lamp != 0, density, on, off).into();
+        *lamp = lamp_after(*lamp != 0, density, on, off).into();
     }
     Ok(())
 }
@@ -58,7 +58,7 @@ export! { "";
     }
 
     /// A density as a brightness.
-    fn brightness_of(density: u8) -> i32 {
-        brightness(density).into()
+    fn brightness(density: u8) -> i32 {
+        raster::brightness(density).into()
     }
 }

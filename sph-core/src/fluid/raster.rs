@@ -5,7 +5,7 @@
 //! ```
 //!
 //! A tent on each axis: no root, 1 inside the fluid at rest and about ½ at its surface. Each particle adds its share to the pixels
-//! under its tents, in integers: a product, a shift and a sum a pixel, without a division. Lengths in units of h.
+//! under its tents, in integers: a product for each row, a shift and a sum for each pixel, and no division. Lengths in units of h.
 //!
 //! [`draw_density`] and [`light_lamps`] work on any memory; [`Raster`] is both in a grid whose size the type has.
 
@@ -16,8 +16,8 @@ use crate::scalar::compact::Compact;
 /// pixel (0, 0) begins at 0. [`Raster::FULL`] is fluid at rest.
 ///
 /// A `pixel` that is no number above zero gives zeros, as particles do that are not finite. A particle adds to each pixel a
-/// whole number, the nearest one: above a side of 9 h that is nothing. What is left of the memory after whole rows is zero, and so
-/// is all beyond column or row 65,535. Positions within ±2¹⁵.
+/// whole number, the nearest one: above a side of 9 h that is nothing. What is left of the memory after whole rows is zero.
+/// Particles beyond column or row 65,535 are left out. Positions within ±2¹⁵.
 ///
 /// ```
 /// use sph_core::fluid::{Particle, Raster, raster::draw_density};
@@ -56,14 +56,14 @@ pub fn draw_density<T: Compact>(particles: &[Particle<T, 2>], pixel: T, columns:
 /// ```
 pub fn light_lamps(density: &[u8], on: u8, off: u8, lamps: &mut [bool]) {
     for (lamp, &density) in lamps.iter_mut().zip(density) {
-        *lamp = stays_lit(*lamp, density, on, off);
+        *lamp = lamp_after(*lamp, density, on, off);
     }
 }
 
-/// Whether a lamp is lit that was lit or not, at a density, by the rule of [`light_lamps`].
+/// One lamp of [`light_lamps`]: whether it is lit after a frame, from whether it was lit and the density of its pixel.
 #[inline]
 #[must_use]
-pub const fn stays_lit(was_lit: bool, density: u8, on: u8, off: u8) -> bool {
+pub const fn lamp_after(was_lit: bool, density: u8, on: u8, off: u8) -> bool {
     density >= if was_lit { off } else { on }
 }
 
@@ -80,7 +80,7 @@ pub const fn brightness(density: u8) -> u8 {
     density.saturating_add(((density as u16).wrapping_mul(19) / 32) as u8)
 }
 
-/// w, the half of a tent's foot: lengths here are integers in units of w / 2¹⁶.
+/// w, half the width of a tent: lengths here are integers in units of w / 2¹⁶.
 const WIDTH: i32 = 1 << 16;
 /// Along an axis, pixels that are drawn at most: the product in [`Grid::first`] fits 32 bits.
 const MOST: usize = u16::MAX as usize;
@@ -99,7 +99,7 @@ struct Grid {
     inverse: u32,
     /// 256 times what a particle in the middle of a pixel adds to it.
     light: u32,
-    /// Where the tents of no pixel reach, on each axis.
+    /// Along each axis, the place from which on no tent reaches a pixel.
     end: [i32; 2],
 }
 
@@ -162,7 +162,7 @@ impl Grid {
         }
     }
 
-    /// The pixels under a tent, of at most `count`, of which the first is so far beyond the tent's lower end.
+    /// The pixels under a tent among the next `count`, the first of which lies `rise` beyond the lower end of the tent.
     #[inline(always)]
     fn foot(&self, mut rise: i32, mut count: usize) -> Foot {
         let mut number = [0_usize; 3];
@@ -213,7 +213,7 @@ fn add_shares(pixels: &mut [u8], share: u32, step: u32) {
     }
 }
 
-/// 256 times the tent, at a place so far beyond its lower end.
+/// 256 times the tent, at a place that lies `rise` beyond its lower end.
 #[inline(always)]
 fn tent(rise: i32) -> u32 {
     rise.min((2 * WIDTH).wrapping_sub(rise)).max(0) as u32 >> 8

@@ -106,8 +106,8 @@ static void masks_and_pixels(void) {
     EXPECT(fluisim_light_lamps(lit, 4, 64, 96, lamps), FLUISIM_BAD_ARGUMENT);
     EXPECT(fluisim_light_lamps(lit, 4, 96, 64, lamps), FLUISIM_OK);
     EXPECT(lamps[0] == 1 && lamps[1] == 0 && lamps[2] == 1 && lamps[3] == 0 && lamps[4] == 9, 1);
-    EXPECT(fluisim_brightness_of(160), 255);
-    EXPECT(fluisim_brightness_of(80), 127);
+    EXPECT(fluisim_brightness(160), 255);
+    EXPECT(fluisim_brightness(80), 127);
 }
 
 int main(void) {

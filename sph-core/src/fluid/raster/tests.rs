@@ -117,7 +117,14 @@ fn follows_the_formula<T: Compact>(step: f64) {
                 (all, expected) = (all + found, expected + exact);
             }
         }
-        assert!((all / expected - 1.0).abs() < 0.06, "{} of {expected} at pixel {pixel}", all / expected);
+        // the wider a pixel, the smaller the shares beside the step of a byte
+        let bias = 0.004 + 0.03 * (pixel - 1.0).max(0.0);
+        assert!(
+            (all / expected - 1.0).abs() < bias,
+            "{}: {} of {expected} at pixel {pixel}",
+            T::NAME,
+            all / expected
+        );
     }
 }
 
