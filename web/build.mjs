@@ -24,9 +24,16 @@ for (const line of readFileSync(goldenPath, "utf8").split("\n")) {
   if (found) golden[found[1]] = found[2];
 }
 if (Object.keys(golden).length !== 6) throw new Error(`${goldenPath}: ${Object.keys(golden).length} rows of the fluid, not 6`);
+// The kernels' names, each at its number.
+const kernels = [];
+const header = readFileSync(new URL("../sph-core/c/include/fluisim.h", import.meta.url), "utf8");
+for (const [, name, number] of header.matchAll(/^#define FLUISIM_KERNEL_(\w+) (\d+)/gm)) {
+  kernels[number] = name.toLowerCase().replaceAll("_", "-");
+}
+if (kernels.length === 0 || kernels.includes(undefined)) throw new Error(`kernels of fluisim.h: ${kernels}`);
 const scripts = ["engine.js", "digest.js", "field.js", "draw.js", "fluid.js", "kernels.js", "main.js"]
   .map((name) => page(name).replace(/^import .*\n/gm, "").replace(/^export /gm, ""));
-const data = `const GOLDEN = ${JSON.stringify(golden)};\nconst MODULE = "${module.toString("base64")}";\n`;
+const data = `const GOLDEN = ${JSON.stringify(golden)};\nconst KERNELS = ${JSON.stringify(kernels)};\nconst MODULE = "${module.toString("base64")}";\n`;
 const html = page("index.html")
   .replace("/* style */", () => page("style.css"))
   .replace("/* script */", () => data + scripts.join("\n"));

@@ -1,24 +1,25 @@
-// Two views of a fluid: smooth, and lamps as on a badge. Both are drawn from the positions alone.
+// Two views of a fluid: smooth, from the positions alone, and lamps as on a badge.
+import { MOST_LAMPS } from "./engine.js";
 
 const CELLS = 180;
 const small = Object.assign(document.createElement("canvas"), { width: CELLS, height: CELLS });
 const picture = small.getContext("2d").createImageData(CELLS, CELLS);
 let [cells, spare] = [new Float32Array(CELLS * CELLS), new Float32Array(CELLS * CELLS)];
 
-/** Adds each particle to its four nearest of `columns`² cells of side `w`, as 1/(4 w²): fluid at rest is 1. */
-function splat(into, columns, w, side, positions, count) {
+/** Adds each particle to its four nearest of the CELLS² cells, as 1/(4 w²), w the side of a cell: fluid at rest is 1. */
+function splat(into, side, positions, count) {
   into.fill(0);
-  const weight = 1 / (4 * w * w);
-  const most = columns - 1.001;
+  const weight = (CELLS / side) ** 2 / 4;
+  const most = CELLS - 1.001;
   for (let i = 0; i < count; i++) {
-    const x = Math.min(Math.max((positions[2 * i] / side) * columns - 0.5, 0), most);
-    const y = Math.min(Math.max((positions[2 * i + 1] / side) * columns - 0.5, 0), most);
+    const x = Math.min(Math.max((positions[2 * i] / side) * CELLS - 0.5, 0), most);
+    const y = Math.min(Math.max((positions[2 * i + 1] / side) * CELLS - 0.5, 0), most);
     const [column, row] = [x | 0, y | 0];
-    const [fx, fy, at] = [x - column, y - row, row * columns + column];
+    const [fx, fy, at] = [x - column, y - row, row * CELLS + column];
     into[at] += weight * (1 - fx) * (1 - fy);
     into[at + 1] += weight * fx * (1 - fy);
-    into[at + columns] += weight * (1 - fx) * fy;
-    into[at + columns + 1] += weight * fx * fy;
+    into[at + CELLS] += weight * (1 - fx) * fy;
+    into[at + CELLS + 1] += weight * fx * fy;
   }
 }
 
@@ -38,7 +39,7 @@ function blur(from, to, r, step) {
 }
 
 export function drawSmooth(context, { side, positions, count }) {
-  splat(cells, CELLS, side / CELLS, side, positions, count);
+  splat(cells, side, positions, count);
   const r = Math.max(1, Math.round((0.3 * CELLS) / side));
   for (let pass = 0; pass < 2; pass++) {
     blur(cells, spare, r, 1);
@@ -63,19 +64,15 @@ export function drawSmooth(context, { side, positions, count }) {
   context.drawImage(small, 0, 0, context.canvas.width, context.canvas.height);
 }
 
-let [lamps, lit] = [new Float32Array(0), new Uint8Array(0)];
-
-/** Lamps of about a support radius: one comes on at 96 / 160 of the density at rest and goes out below 64 / 160. */
-export function drawLamps(context, { side, positions, count, contains }) {
-  const columns = Math.min(Math.max(Math.round(side), 8), 48);
-  if (lamps.length !== columns * columns) [lamps, lit] = [new Float32Array(columns ** 2), new Uint8Array(columns ** 2)];
-  splat(lamps, columns, side / columns, side, positions, count);
+/** Lamps of about a support radius, as the module lights them. */
+export function drawLamps(context, { side, fluid, contains }) {
+  const columns = Math.min(Math.max(Math.round(side), 8), MOST_LAMPS);
+  const lit = fluid.lamps(side / columns, columns);
   const pitch = context.canvas.width / columns;
   const paths = [new Path2D(), new Path2D()];
-  for (let at = 0; at < lamps.length; at++) {
+  for (let at = 0; at < lit.length; at++) {
     const [column, row] = [at % columns, Math.floor(at / columns)];
     if (!contains(((column + 0.5) * side) / columns, ((row + 0.5) * side) / columns)) continue;
-    lit[at] = lamps[at] >= (lit[at] ? 0.4 : 0.6) ? 1 : 0;
     const [x, y] = [(column + 0.5) * pitch, (columns - row - 0.5) * pitch];
     paths[lit[at]].moveTo(x, y);
     paths[lit[at]].arc(x, y, pitch * 0.36, 0, 7);

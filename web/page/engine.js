@@ -39,6 +39,10 @@ export class Numbers {
   call(name, ...rest) { return this.exports[`fluisim_${this.scalar}_2d_${name}`](...rest); }
 }
 
+/** Lamps along an axis at most, and the densities at which one comes on and goes out. */
+export const MOST_LAMPS = 48;
+const [ON, OFF] = [96, 64];
+
 /** A fluid in two dimensions. `shape` is {box: [w, h]}, {disc: r} or {mask: {bits, width, height, pixel}}. */
 export class Fluid {
   constructor(exports, arena, scalar, shape, capacity) {
@@ -51,6 +55,9 @@ export class Fluid {
     this.out = arena.take(64);
     this.vector = arena.take(64);
     const [memory, pointer] = [arena.take(bytes), arena.take(8)];
+    this.density = arena.take(MOST_LAMPS ** 2);
+    this.lit = arena.take(MOST_LAMPS ** 2);
+    new Uint8Array(exports.memory.buffer, this.lit, MOST_LAMPS ** 2).fill(0);
     const n = this.numbers;
     let code;
     if (box) {
@@ -92,6 +99,14 @@ export class Fluid {
     this.numbers.write(this.vector, [x, y, dx, dy]);
     const code = this.numbers.call("impulse", this.at, this.vector, this.numbers.of(radius), this.vector + 8);
     this.check(code, "impulse");
+  }
+
+  /** columns² lamps of side `pixel`, 1 or 0, row by row from the bottom. Each keeps its state to the next call. */
+  lamps(pixel, columns) {
+    const { numbers, density, lit } = this;
+    this.check(numbers.call("draw", this.at, numbers.of(pixel), columns, columns, density), "draw");
+    this.check(numbers.exports.fluisim_light_lamps(density, columns ** 2, ON, OFF, lit), "light_lamps");
+    return new Uint8Array(numbers.exports.memory.buffer, lit, columns ** 2);
   }
 
   /** Where the particles are: x0, y0, x1, y1, … in h. */

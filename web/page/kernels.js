@@ -2,7 +2,6 @@
 import { Arena } from "./engine.js";
 import { POINTS, estimate, place } from "./field.js";
 
-const NAMES = ["poly6", "spiky", "viscosity", "cubic-spline", "quartic-spline", "quintic-spline", "wendland-c2", "wendland-c4", "wendland-c6"];
 const [VALUE, SLOPE, NORMALISATION, RATIO] = [0, 1, 2, 3];
 const element = (id) => document.getElementById(id);
 const short = (x) => (Number.isNaN(x) ? "–" : Math.abs(x) >= 1e4 || (x !== 0 && Math.abs(x) < 1e-3) ? x.toExponential(3) : x.toFixed(4));
@@ -11,7 +10,7 @@ export class Kernels {
   constructor(exports) {
     this.exports = exports;
     this.arena = new Arena(exports);
-    element("kernel").innerHTML = NAMES.map((name) => `<option>${name}</option>`).join("");
+    element("kernel").innerHTML = KERNELS.map((name) => `<option>${name}</option>`).join("");
     element("kernel").value = "wendland-c2";
     for (const id of ["kernel", "dimension", "q"]) element(id).addEventListener("input", () => this.draw());
     for (const id of ["method", "field-scalar", "support", "jitter", "kernel"]) {
@@ -32,7 +31,7 @@ export class Kernels {
     context.clearRect(0, 0, canvas.width, canvas.height);
     context.fillStyle = "#2b3a55";
     context.fillRect(20, canvas.height / 2, canvas.width - 40, 2);
-    for (let kernel = 0; kernel < NAMES.length; kernel++) if (kernel !== chosen) this.curve(context, kernel, VALUE, "#31415f", 2);
+    for (let kernel = 0; kernel < KERNELS.length; kernel++) if (kernel !== chosen) this.curve(context, kernel, VALUE, "#31415f", 2);
     this.curve(context, chosen, SLOPE, "#ffb347", 4);
     this.curve(context, chosen, VALUE, "#4aa8ff", 5);
     const q = Number(element("q").value);
@@ -47,9 +46,8 @@ export class Kernels {
   /** A kernel's value above the axis or its slope below it, scaled by the largest size. A kernel that diverges begins at 0.1. */
   curve(context, kernel, quantity, colour, width) {
     const { canvas } = context;
-    const first = NAMES[kernel] === "viscosity" ? 0.1 : 0;
-    const unit = Number.isNaN(this.number(kernel, quantity)) ? null : 1;
-    if (unit === null) return;
+    const first = KERNELS[kernel] === "viscosity" ? 0.1 : 0;
+    if (Number.isNaN(this.number(kernel, quantity))) return;
     const heights = [];
     for (let k = 0; k <= 200; k++) heights.push(this.number(kernel, quantity, first + ((1 - first) * k) / 200));
     const most = Math.max(...heights.map(Math.abs));

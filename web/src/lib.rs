@@ -4,6 +4,7 @@
 
 #![no_std]
 
+// Named so that its functions are linked.
 #[doc(hidden)]
 pub use fluisim_c as _c;
 use sph_core::kernel::{self, Kernel};

@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 /// The functions that the page calls; everything else is left out by the linker.
-const EXPORTS: [&str; 14] = [
+const EXPORTS: [&str; 15] = [
     "bytes",
     "init_box",
     "init_disc",
@@ -17,6 +17,7 @@ const EXPORTS: [&str; 14] = [
     "add",
     "impulse",
     "step",
+    "draw",
     "position",
     "velocity",
     "pressure",
@@ -63,6 +64,7 @@ fn link(module: &Path) -> Result<()> {
         "-O2",
         "--stack-first",
         "--export=fluisim_web_kernel",
+        "--export=fluisim_light_lamps",
     ]);
     for scalar in ["f32", "q16"] {
         linker.arg(format!("--export=fluisim_{scalar}_volumes"));
