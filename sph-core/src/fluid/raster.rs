@@ -17,7 +17,7 @@ use crate::scalar::compact::Compact;
 ///
 /// A `pixel` that is no number above zero gives zeros, as particles do that are not finite. A particle adds to each pixel a
 /// whole number, the nearest one: above a side of 9 h that is nothing. What is left of the memory after whole rows is zero.
-/// Particles beyond column or row 65,535 are left out. Positions within ±2¹⁵.
+/// Particles beyond column or row 65,535, or beyond 2¹⁵ h, are left out.
 ///
 /// ```
 /// use sph_core::fluid::{Particle, Raster, raster::draw_density};
@@ -85,10 +85,14 @@ const WIDTH: i32 = 1 << 16;
 /// Along an axis, pixels that are drawn at most: the product in [`Grid::first`] fits 32 bits.
 const MOST: usize = u16::MAX as usize;
 
-/// A length in units of 2^−16, rounded down.
+/// A length in units of 2^−16, rounded down and held within ±2¹⁵. The fraction is split twice by 8 bits, of numbers below 1: by 16,
+/// a scalar of one's own may leave its range.
 #[inline(always)]
+#[track_caller]
 fn length<T: Compact>(x: T) -> i32 {
-    x.split(16).0 as i32
+    let whole = x.floor_to_i32().clamp(-1 << 15, (1 << 15) - 1);
+    let (high, rest) = (x - T::ratio(whole, 1)).split(8);
+    (whole << 16) | ((high & 0xff) << 8) as i32 | (rest.split(8).0 & 0xff) as i32
 }
 
 /// What the tents of all particles have in common.
