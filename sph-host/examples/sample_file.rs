@@ -19,13 +19,16 @@ fn main() -> Result<(), Box<dyn Error>> {
         None => lattice(folder.path())?,
     };
     let request = Request {
-        particles: ParticleSource::File(path),
+        particles: ParticleSource::File(path.into()),
         at: SamplePoints::Grid { counts: vec![4, 4], bounds: None },
         kernel: KernelName::WendlandC2,
         dim: None,
         quantities: vec!["temperature".into()],
         gradient: true,
         support: Some(SupportFrom::Radius(0.26)),
+        only: Vec::new(),
+        periodic: None,
+        part: None,
         estimate: Estimate::Corrected,
         mass: None,
         recompute_density: false,

@@ -32,6 +32,7 @@ mod memory;
 mod named_enum;
 pub mod output;
 mod parallel;
+pub mod part;
 pub mod picture;
 pub mod progress;
 pub mod run;

@@ -47,6 +47,11 @@ impl From<ReadError> for Failure {
     fn from(error: ReadError) -> Self {
         match error {
             ReadError::UnknownEnding { .. } => Self::Usage(error.to_string()),
+            ReadError::UnknownFormat { .. } => Self::Usage(error.to_string()),
+            ReadError::NoFormat => Self::Usage(format!("{error}: say by --format, such as --format csv")),
+            ReadError::Position { .. } => Self::Input(format!(
+                "{error}; --position NAME (an array) or --position X,Y[,Z] (columns) says where coordinates are"
+            )),
             ReadError::NotInPieces { .. } => Self::Usage(format!("{error}; leave out --chunk")),
             _ => Self::Input(error.to_string()),
         }

@@ -2,10 +2,12 @@
 
 mod choices;
 mod failure;
+mod input;
 mod install;
 mod kernels;
 mod parse;
 mod progress;
+mod results;
 mod run;
 mod sample;
 mod sample_messages;

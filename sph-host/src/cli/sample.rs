@@ -1,24 +1,26 @@
 //! `fluisim sample`: words to a [`Request`], its result to a file.
 
-use std::io::BufWriter;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::time::Instant;
 
 use clap::{ArgGroup, Args};
 use serde_json::{Map, Value, json};
 
 use super::failure::Failure;
+use super::input::InputArgs;
 use super::parse::{self, Bounds, Counts};
 use super::progress::Bar;
-use super::sample_messages::{explain, in_words, unknown_set};
+use super::results::{self, Results};
+use super::sample_messages::{explain, in_words};
+use super::say;
 use super::support::SupportArgs;
-use super::{say, to_stdout};
 use crate::demo;
 use crate::estimate_choice::Estimate;
 use crate::io;
 use crate::kernel_choice::KernelName;
-use crate::output::{self, Target};
-use crate::sample::{self, ParticleSource, Request, SamplePoints, Sampled};
+use crate::output;
+use crate::part::Part;
+use crate::sample::{self, PartOfPoints, ParticleSource, Request, SamplePoints, Sampled, Taken};
 use crate::scalar_choice::ScalarName;
 
 /// Evaluate the fields of a particle set at points, on a grid, or at the particles themselves.
@@ -26,8 +28,8 @@ use crate::scalar_choice::ScalarName;
 #[command(long_about = long_about())]
 #[command(group = ArgGroup::new("where").required(true).args(["at", "grid", "at_particles"]))]
 pub(super) struct SampleArgs {
-    #[arg(help = format!("A particle file, or {}", sets()))]
-    particles: PathBuf,
+    #[arg(required = true, help = format!("A particle file, or {}; several files, or a .pvd, have a result each", sets()))]
+    particles: Vec<PathBuf>,
 
     /// Evaluate at the points of this file
     #[arg(long, value_name = "POINTS")]
@@ -57,7 +59,12 @@ pub(super) struct SampleArgs {
     gradient: bool,
 
     #[command(flatten)]
+    input: InputArgs,
+    #[command(flatten)]
     support: SupportArgs,
+    /// A box in which everything is repeated along each axis; an axis with equal ends is open
+    #[arg(long, value_name = "X0,Y0[,Z0],X1,Y1[,Z1]", value_parser = parse::periodic, allow_hyphen_values = true)]
+    periodic: Option<Bounds>,
 
     /// The sum that stands for a field
     #[arg(long, value_enum, default_value_t = Estimate::Plain)]
@@ -70,12 +77,12 @@ pub(super) struct SampleArgs {
     recompute_density: bool,
     #[arg(long, value_name = "TYPE", value_parser = parse::scalar, default_value_t = ScalarName::F64, help = scalar_help())]
     scalar: ScalarName,
-    /// About how many particles a built-in set is to have
-    #[arg(long = "particles", value_name = "N", value_parser = parse::count)]
-    count: Option<usize>,
-
     #[arg(long, value_name = "N", value_parser = parse::count, conflicts_with = "at_particles", help = chunk_help())]
     chunk: Option<usize>,
+    /// Evaluate the K-th of N shares of the points, layers of a grid or points on end, and leave OUT_K as a piece; the first also
+    /// leaves the .pvti or .pvtu that joins them. auto: as mpirun, srun or a SLURM array says
+    #[arg(long, value_name = "K/N|auto", value_parser = parse::part)]
+    part: Option<Part>,
     /// Threads; without it, one for each core. No bit of the result depends on it
     #[arg(long, value_name = "N", value_parser = parse::count)]
     threads: Option<usize>,
@@ -105,8 +112,9 @@ pub(super) fn sets() -> String {
 fn long_about() -> String {
     format!(
         "Evaluate the fields of a particle set at points, on a grid, or at the particles themselves.\n\n\
-         PARTICLES is a file ({}) or a built-in set: {}. Special columns are x, y, z, m or mass, rho or density, in any case of \
-         letters. The result goes to stdout as CSV, or to --out in the format that its ending names: {}. Its columns are the \
+         PARTICLES is a file ({}, each also with .gz behind), - for standard input with --format, or a built-in set: {}. Special \
+         columns are x, y, z, m or mass, rho or density, in any case of letters; coordinates are also known as Points:0, pos_x, \
+         Coordinates and the like, and a unit in brackets behind a name is dropped. The result goes to stdout as CSV, or to --out in the format that its ending names: {}. Its columns are the \
          coordinates, density, each quantity, and with --gradient NAME_dx, NAME_dy, NAME_dz.\n\n\
          Example: fluisim sample demo:vortex --grid 256,256 --quantity velocity_x --gradient --out vortex.png",
         io::ENDINGS.join(", "),
@@ -134,35 +142,45 @@ fn chunk_help() -> String {
 }
 
 /// Samples as the words say.
-pub(super) fn run(args: SampleArgs) -> Result<(), Failure> {
-    let to_file = args.out.clone().filter(|path| path != Path::new("/dev/stdout"));
-    let target = to_file.map(|path| Target { path, force: args.force });
-    let (quiet, timing, exact) = (args.quiet, args.timing, args.exact);
-    let request = request(args)?;
-    if let Some(target) = &target {
-        target.check(matches!(request.at, SamplePoints::Grid { .. }))?;
+pub(super) fn run(mut args: SampleArgs) -> Result<(), Failure> {
+    let words = std::mem::take(&mut args.particles);
+    let is_series = words.len() > 1 || words.iter().any(|path| io::is_series(path));
+    let results = Results::new(args.out.clone(), args.force, args.part, is_series)?;
+    let is_grid = args.grid.is_some();
+    let moments = results::moments(words)?;
+    let requests = moments.iter().map(|moment| request(&args, moment.path.clone(), &results));
+    let requests = requests.collect::<Result<Vec<_>, _>>()?;
+    results.check(requests.len(), is_grid)?;
+    for (number, request) in requests.iter().enumerate() {
+        let sampled = sample_one(request, &args)?;
+        let start = Instant::now();
+        results.write(number, &sampled.table)?;
+        if args.timing {
+            say(&format!("timing: {}", timing_line(&sampled, start.elapsed().as_secs_f64())));
+        }
     }
-    let bar = Bar::new(quiet, "{bar:40} {human_pos}/{human_len} points, {left}");
-    let sampled = sample::run(&request, &bar).map_err(explain)?;
+    let times: Vec<f64> = moments.iter().map(|moment| moment.time).collect();
+    results.finish(&times)
+}
+
+/// Samples one set of particles and says what there is to say of it.
+fn sample_one(request: &Request, args: &SampleArgs) -> Result<Sampled, Failure> {
+    let bar = Bar::new(args.quiet, "{bar:40} {human_pos}/{human_len} points, {left}");
+    let sampled = sample::run(request, &bar).map_err(explain)?;
+    if let Some(Taken { taken, of }) = sampled.taken {
+        say(&format!("{taken} of {of} particles are taken"));
+    }
     for warning in &sampled.warnings {
         say(&format!("warning: {}", in_words(warning)));
     }
-    if exact {
+    if args.exact {
         say(&format!("units: {}", units_line(&sampled)));
     }
-    let start = Instant::now();
-    match &target {
-        Some(target) => output::write(&sampled.table, target)?,
-        None => to_stdout(output::write_csv(&sampled.table, BufWriter::new(std::io::stdout().lock())))?,
-    }
-    if timing {
-        say(&format!("timing: {}", timing_line(&sampled, start.elapsed().as_secs_f64())));
-    }
-    Ok(())
+    Ok(sampled)
 }
 
 /// What the words ask for, where they are words that can be.
-fn request(args: SampleArgs) -> Result<Request, Failure> {
+fn request(args: &SampleArgs, particles: PathBuf, results: &Results) -> Result<Request, Failure> {
     if args.kernel.is_singular() {
         return Err(Failure::usage(
             "the viscosity kernel diverges at r = 0: it is for viscosity forces, not for densities or interpolation; \
@@ -174,16 +192,17 @@ fn request(args: SampleArgs) -> Result<Request, Failure> {
         return Err(Failure::usage("--bounds is the box of a grid: it needs --grid"));
     }
     let dim = args.dim.map(usize::from);
-    let particles = particle_source(args.particles, args.count)?;
+    let (particles, only) = args.input.particles(particles, args.at.as_deref())?;
     if args.chunk.is_some() && matches!(particles, ParticleSource::Demo(..)) {
         return Err(Failure::usage("--chunk reads a file some particles at a time, not a built-in set"));
     }
-    let at = match (args.at, args.grid) {
-        (Some(path), _) => SamplePoints::At(path),
+    let corners = |corners: &Option<Bounds>| corners.as_ref().map(|Bounds(corners)| corners.clone());
+    let at = match (&args.at, &args.grid) {
+        (Some(path), _) => SamplePoints::At(args.input.points(path.clone())?),
         (None, Some(Counts(counts))) => {
-            let bounds = args.bounds.map(|Bounds(bounds)| bounds);
-            check_dimensions(&counts, bounds.as_deref(), dim)?;
-            SamplePoints::Grid { counts, bounds }
+            let bounds = corners(&args.bounds);
+            check_dimensions(counts, bounds.as_deref(), dim)?;
+            SamplePoints::Grid { counts: counts.clone(), bounds }
         }
         (None, None) => SamplePoints::AtParticles,
     };
@@ -192,30 +211,20 @@ fn request(args: SampleArgs) -> Result<Request, Failure> {
         at,
         kernel: args.kernel,
         dim,
-        quantities: args.quantities,
+        quantities: args.quantities.clone(),
         gradient: args.gradient,
-        support: args.support.source(),
+        support: args.support.source()?,
+        only,
+        periodic: corners(&args.periodic),
         estimate: args.estimate,
         mass: args.mass,
         recompute_density: args.recompute_density,
         scalar: args.scalar,
+        part: args.part.map(|part| PartOfPoints { part, shares_layers: results.shares_layers() }),
         threads: args.threads,
         chunk: args.chunk,
         exact: args.exact,
     })
-}
-
-pub(super) fn particle_source(words: PathBuf, count: Option<usize>) -> Result<ParticleSource, Failure> {
-    if let Some(name) = words.to_str().and_then(|words| words.strip_prefix("demo:")) {
-        if demo::SETS.iter().all(|(known, _)| *known != name) {
-            return Err(unknown_set(name));
-        }
-        return Ok(ParticleSource::Demo(name.to_owned(), count));
-    }
-    if count.is_some() {
-        return Err(Failure::usage("--particles N sizes a built-in set, not a file"));
-    }
-    Ok(ParticleSource::File(words))
 }
 
 fn check_dimensions(counts: &[usize], bounds: Option<&[f64]>, dim: Option<usize>) -> Result<(), Failure> {

@@ -16,6 +16,9 @@ pub(super) fn explain(error: SampleError) -> Failure {
             without_mass()
         ),
         SampleError::NoSupport { spacing, kernel, .. } => &no_support(*spacing, *kernel),
+        SampleError::StandardInputTwice => return Failure::usage(error.to_string()),
+        SampleError::NoneTaken { .. } => ": choose others by --only",
+        SampleError::PeriodicDimensions { .. } => " (--periodic)",
         SampleError::TooFewCoordinates { asked, .. } => &format!(" by --dim {asked}"),
         SampleError::NotFlat { dim, .. } => &format!(": --dim {dim} needs it to be"),
         SampleError::ChangingQuantities { .. } => ": say which by --quantity",

@@ -7,8 +7,9 @@ use clap::Args;
 use sph_lab::{MiniFormat, Overflow, Rounding};
 
 use super::failure::Failure;
+use super::input::InputArgs;
 use super::progress::Bar;
-use super::sample::{particle_source, sets};
+use super::sample::sets;
 use super::sample_messages::explain;
 use super::study_words::{Bits, Kernels, bits, goal, kernels, named};
 use super::support::SupportArgs;
@@ -80,9 +81,8 @@ pub(super) struct StudyArgs {
     /// Dimensions, where a file has more coordinates than are meant
     #[arg(long, value_parser = clap::value_parser!(u8).range(1..=3))]
     dim: Option<u8>,
-    /// About how many particles a built-in set is to have
-    #[arg(long = "particles", id = "count", value_name = "N", value_parser = parse::count)]
-    count: Option<usize>,
+    #[command(flatten)]
+    input: InputArgs,
 
     /// Threads; without it, one for each core. No byte of the result depends on it
     #[arg(long, value_name = "N", value_parser = parse::count)]
@@ -181,8 +181,10 @@ fn request(args: StudyArgs) -> Result<Request, Failure> {
     let goals = Quantity::ALL.iter().filter(is_wanted);
     let goals = goals.map(|&quantity| (quantity, wanted(quantity).unwrap_or(quantity.usual_goal())));
     let Bits(bits) = args.bits;
+    let (particles, only) = args.input.particles(args.particles.unwrap_or_default(), None)?;
     Ok(Request {
-        support: args.support.source(),
+        support: args.support.source()?,
+        only,
         mass: args.mass,
         dim: args.dim.map(usize::from),
         fields,
@@ -197,7 +199,7 @@ fn request(args: StudyArgs) -> Result<Request, Failure> {
         units: args.units,
         target: args.target,
         threads: args.threads,
-        ..Request::new(particle_source(args.particles.unwrap_or_default(), args.count)?)
+        ..Request::new(particles)
     })
 }
 

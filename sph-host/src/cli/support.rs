@@ -2,6 +2,7 @@
 
 use clap::Args;
 
+use super::failure::Failure;
 use super::parse;
 use crate::sample::SupportFrom;
 
@@ -20,6 +21,10 @@ pub(super) struct SupportArgs {
     /// A column with each particle's smoothing length
     #[arg(long, value_name = "NAME")]
     smoothing_length_column: Option<String>,
+    /// What the column is multiplied with: γ of files whose h is the support radius divided by γ, as SWIFT's (in 3-D 1.825742 for its
+    /// cubic spline, 1.936492 for Wendland C2)
+    #[arg(long, value_name = "F", value_parser = parse::positive, allow_hyphen_values = true)]
+    support_factor: Option<f64>,
 }
 
 impl SupportArgs {
@@ -29,13 +34,27 @@ impl SupportArgs {
     }
 
     /// What is given; an explicit value wins over a column.
-    pub(super) fn source(self) -> Option<SupportFrom> {
-        match (self.support, self.smoothing_length, self.support_column, self.smoothing_length_column) {
+    pub(super) fn source(&self) -> Result<Option<SupportFrom>, Failure> {
+        let factor = self.support_factor.unwrap_or(1.0);
+        let source = match (
+            self.support,
+            self.smoothing_length,
+            &self.support_column,
+            &self.smoothing_length_column,
+        ) {
             (Some(h), ..) => Some(SupportFrom::Radius(h)),
             (_, Some(length), ..) => Some(SupportFrom::SmoothingLength(length)),
-            (_, _, Some(name), _) => Some(SupportFrom::RadiusColumn(name)),
-            (.., Some(name)) => Some(SupportFrom::SmoothingLengthColumn(name)),
+            (_, _, Some(name), _) => Some(SupportFrom::RadiusColumn(name.clone(), factor)),
+            (.., Some(name)) => Some(SupportFrom::SmoothingLengthColumn(name.clone(), factor)),
             _ => None,
+        };
+        let is_column =
+            matches!(source, Some(SupportFrom::RadiusColumn(..) | SupportFrom::SmoothingLengthColumn(..)));
+        if self.support_factor.is_some() && !is_column {
+            return Err(Failure::usage(
+                "--support-factor multiplies a column: it needs --support-column or --smoothing-length-column, and no support for all",
+            ));
         }
+        Ok(source)
     }
 }

@@ -8,7 +8,11 @@ use std::path::Path;
 #[non_exhaustive]
 pub enum ReadError {
     /// The ending of the file's name is not known. The file has not been looked at.
-    #[error("{file}: {}: one of {} is expected", unknown_ending(Path::new(file)), list(super::ENDINGS))]
+    #[error(
+        "{file}: {}: one of {} is expected, each also with .gz behind",
+        unknown_ending(Path::new(file)),
+        list(super::ENDINGS)
+    )]
     UnknownEnding {
         /// The file's name as given.
         file: String,
@@ -40,6 +44,28 @@ pub enum ReadError {
         /// What the system said.
         source: io::Error,
     },
+    /// It is not clear where the coordinates are.
+    #[error("{file}: {}{problem}", .at.as_ref().map(|at| format!("{at}: ")).unwrap_or_default())]
+    Position {
+        /// The file's name as given.
+        file: String,
+        /// Where in the file: the line of the header.
+        at: Option<String>,
+        /// What is there, and what was expected.
+        problem: String,
+    },
+    /// The format that was named is not known.
+    #[error(
+        "the format {format} is not known: one of {} is expected, each also with .gz behind",
+        list(super::ENDINGS)
+    )]
+    UnknownFormat {
+        /// The format as given.
+        format: String,
+    },
+    /// Standard input has no name whose ending would say what it holds.
+    #[error("standard input: its format is not known")]
+    NoFormat,
     /// The file's content is wrong, or does not hold what is asked of it.
     #[error("{file}: {}{problem}", .at.as_ref().map(|at| format!("{at}: ")).unwrap_or_default())]
     Invalid {
@@ -57,6 +83,7 @@ pub enum ReadError {
 pub(super) enum Problem {
     Io(io::Error),
     NotAFile { found: &'static str, expected: &'static str },
+    Position { at: Option<String>, problem: String },
     Invalid { at: Option<String>, problem: String },
 }
 
@@ -74,10 +101,16 @@ impl Problem {
         Self::Invalid { at: Some(at.into()), problem: problem.into() }
     }
 
+    /// It is not clear where the coordinates are.
+    pub(super) fn position(problem: impl Into<String>) -> Self {
+        Self::Position { at: None, problem: problem.into() }
+    }
+
     /// The problem, its place being `place` unless it is known better.
     pub(super) fn or_at(self, place: &str) -> Self {
         match self {
             Self::Invalid { at: None, problem } => Self::at(place, problem),
+            Self::Position { at: None, problem } => Self::Position { at: Some(place.to_owned()), problem },
             other => other,
         }
     }
@@ -87,6 +120,7 @@ impl Problem {
         match self {
             Self::Io(source) => ReadError::Io { file, source },
             Self::NotAFile { found, expected } => ReadError::NotAFile { file, found, expected },
+            Self::Position { at, problem } => ReadError::Position { file, at, problem },
             Self::Invalid { at, problem } => ReadError::Invalid { file, at, problem },
         }
     }
@@ -100,9 +134,13 @@ impl From<io::Error> for Problem {
 
 /// Says that the ending of a path is not known.
 pub(crate) fn unknown_ending(path: &Path) -> String {
-    match path.extension() {
-        Some(ending) => format!("the ending .{} is not known", ending.display()),
-        None => "the name has no ending".to_owned(),
+    let inner = path.file_stem().map(Path::new).and_then(Path::extension);
+    match (path.extension(), inner) {
+        (Some(ending), Some(inner)) if ending.eq_ignore_ascii_case("gz") => {
+            format!("the ending .{}.{} is not known", inner.display(), ending.display())
+        }
+        (Some(ending), _) => format!("the ending .{} is not known", ending.display()),
+        (None, _) => "the name has no ending".to_owned(),
     }
 }
 

@@ -2,7 +2,10 @@
 //!
 //! [`read()`] takes a file by its ending and gives a [`PointTable`]: coordinates in 1 to 3 dimensions and arrays of
 //! one or more numbers a point. Nothing here knows what the numbers mean beyond the special names: `x`, `y`, `z` are
-//! coordinates, `m` or `mass` the mass, `rho` or `density` the density, in any case of letters.
+//! coordinates, `m` or `mass` the mass, `rho` or `density` the density, in any case of letters. Coordinates are also known as
+//! programs call them: `Points:0`, `Points_0`, `pos_x`, `Pos.x` and so on, or an array `pos`, `positions`, `coordinates` of
+//! vectors. A unit in brackets behind a name is dropped. [`InputFile`] says what a name does not: which arrays the coordinates
+//! are, the format of standard input, lines to skip.
 //!
 //! [`FORMATS`] lists what is read. [`Pieces`] reads some of them a few points at a time, for files larger than memory.
 //!
@@ -34,14 +37,22 @@
 //! ```
 
 mod error;
+mod input_file;
+mod names;
 mod numbers;
+mod position;
 mod quantity;
 mod read;
+mod rows;
+mod series;
 mod table;
 
 pub use error::ReadError;
 pub(crate) use error::unknown_ending;
+pub(crate) use input_file::AtHand;
+pub use input_file::InputFile;
+pub(crate) use names::fill_empty_names;
 pub use quantity::Quantity;
 pub use read::{ENDINGS, FORMATS, Format, Pieces, read};
-pub(crate) use table::fill_empty_names;
+pub use series::{Moment, is_series, read_series};
 pub use table::{Array, Fault, PointTable};

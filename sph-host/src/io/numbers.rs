@@ -78,6 +78,14 @@ pub(super) fn parse(text: &[u8]) -> Option<f64> {
     fast_float2::parse(text).ok().or_else(|| not_finite(text))
 }
 
+/// As [`parse`], of a number that may have a comma where others have a point.
+pub(super) fn parse_with_comma(text: &[u8]) -> Option<f64> {
+    let Some(comma) = memchr::memchr(b',', text) else { return parse(text) };
+    let mut with_point = text.to_vec();
+    with_point[comma] = b'.';
+    parse(&with_point)
+}
+
 /// NaN and infinity as C libraries print them beyond `nan` and `inf`: `nan(ind)`, `nan(0x7ff)`, and Microsoft's former
 /// `1.#QNAN`, `1.#SNAN`, `1.#IND`, `1.#INF`, with zeros behind, or rounded to `1.#J` and `1.#R`.
 #[cold]
@@ -132,6 +140,15 @@ mod tests {
         assert_eq!(bits, [1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0]);
         assert_eq!(Stored::Bit.bytes(9), Some(2));
         assert_eq!(Stored::F64.bytes(usize::MAX), None);
+    }
+
+    #[test]
+    fn a_comma_may_stand_for_the_point() {
+        assert_eq!(parse_with_comma(b"-1,5e3"), Some(-1500.0));
+        assert_eq!(parse_with_comma(b"1.5"), Some(1.5));
+        for text in ["1.000,5", "1,000,5", ",", "1,5,"] {
+            assert_eq!(parse_with_comma(text.as_bytes()), None, "{text}");
+        }
     }
 
     #[test]

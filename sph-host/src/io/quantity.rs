@@ -1,7 +1,8 @@
 //! Asking a [`PointTable`] for what it holds, by name.
 
 use super::error::{Parsed, Problem, ReadError};
-use super::table::{AXES, Array, DENSITY, MASS, PointTable, is_axis, is_special};
+use super::names::{AXES, DENSITY, MASS, Spelling, is_axis, is_special, without_unit};
+use super::table::{Array, PointTable};
 use std::borrow::Cow;
 
 /// Numbers at the points of a table: a scalar, a vector, or one component of it.
@@ -26,10 +27,11 @@ impl Quantity<'_> {
 }
 
 impl PointTable {
-    /// The array of exactly this name; a special name in any case of letters.
+    /// The array of exactly this name, with or without the unit behind it; a special name in any case of letters.
     pub fn array(&self, name: &str) -> Option<&Array> {
-        let exact = self.arrays.iter().find(|array| array.name == name);
-        exact.or_else(|| self.arrays.iter().find(|a| is_special(name) && a.name.eq_ignore_ascii_case(name)))
+        let called = |name: &str| self.arrays.iter().find(|array| array.name == name);
+        let is_same = |array: &&Array| is_special(name) && array.name.eq_ignore_ascii_case(name);
+        called(name).or_else(|| self.arrays.iter().find(is_same)).or_else(|| called(without_unit(name)))
     }
 
     /// What is evaluated when nothing is asked for: every array with [any number](Array::is_numeric) in it that is no
@@ -40,8 +42,8 @@ impl PointTable {
     }
 
     /// The quantity called `name`: an array of that name; one component `velocity_x` of an array `velocity`; or the
-    /// vector `velocity` of the columns `velocity_x`, `velocity_y`, `velocity_z`, as many as there are. The first of
-    /// these that is there. `rho` and `density` stand for each other, as do `m` and `mass`.
+    /// vector `velocity` of the columns `velocity_x`, `velocity_y`, `velocity_z`, as many as there are, which may also be spelled
+    /// `velocity:0`, `velocity.x` and the like. The first of these that is there. `rho` and `density` stand for each other, as do `m` and `mass`.
     ///
     /// # Errors
     /// There is no such quantity, it is a coordinate, or the file holds something else than numbers there.
@@ -61,6 +63,21 @@ impl PointTable {
         let problem =
             format!("`{name}` has {} numbers a point, where one is expected", quantity.components());
         Err(Problem::new(problem).in_file(&self.source))
+    }
+
+    /// One number a point: a coordinate, an array, or a component of one.
+    ///
+    /// # Errors
+    /// As [`scalar`](Self::scalar).
+    pub(crate) fn column(&self, name: &str) -> Result<Cow<'_, [f64]>, ReadError> {
+        let axis = self.axes.iter().position(|axis| axis.eq_ignore_ascii_case(name)).or_else(|| {
+            let axis = AXES.iter().position(|axis| axis.eq_ignore_ascii_case(name))?;
+            (axis < self.dimensions() && self.array(name).is_none()).then_some(axis)
+        });
+        match axis {
+            Some(axis) => Ok(Cow::Borrowed(&self.coordinates[axis])),
+            None => Ok(self.scalar(name)?.values),
+        }
     }
 
     /// The masses: the array `m` or `mass`, `None` if there is neither.
@@ -103,7 +120,8 @@ impl PointTable {
     }
 
     fn resolve(&self, name: &str) -> Parsed<Quantity<'_>> {
-        if is_axis(name) {
+        let is_coordinate = self.axes.iter().any(|axis| axis.eq_ignore_ascii_case(name));
+        if is_coordinate || is_axis(name) && self.array(name).is_none() {
             return Err(self.of_names(format!("`{name}` is a coordinate, not a quantity")));
         }
         if let Some(array) = self.array(name).or_else(|| self.array(other_name(name)?)) {
@@ -129,16 +147,16 @@ impl PointTable {
         Some((array, component))
     }
 
-    /// The vector `name` of the columns `name_x`, `name_y`, `name_z`.
+    /// The vector `name` of the columns of its components, `name_x`, `name_y`, `name_z` or spelled otherwise.
     fn gathered(&self, name: &str) -> Parsed<Option<Quantity<'_>>> {
-        let found =
-            AXES.map(|axis| self.array(&format!("{name}_{axis}")).filter(|array| array.components == 1));
-        let columns: Vec<&Array> = match found {
-            [Some(x), Some(y), Some(z)] => vec![x, y, z],
-            [Some(x), Some(y), None] => vec![x, y],
-            [Some(x), None, None] => vec![x],
-            _ => return Ok(None),
+        let components = |spelling: Spelling| {
+            let along =
+                |axis| self.array(&spelling.component(name, axis)).filter(|array| array.components == 1);
+            let found = [0, 1, 2].map(along);
+            let columns: Vec<&Array> = found.into_iter().map_while(|array| array).collect();
+            (!columns.is_empty() && columns.len() == found.iter().flatten().count()).then_some(columns)
         };
+        let Some(columns) = Spelling::all().find_map(components) else { return Ok(None) };
         let slices = columns.iter().map(|array| array.usable()).collect::<Parsed<Vec<_>>>()?;
         let mut values = Vec::with_capacity(self.len() * slices.len());
         for point in 0..self.len() {
@@ -157,7 +175,7 @@ impl PointTable {
 
     /// A problem of the names: in a text table, of its header.
     fn of_names(&self, problem: String) -> Problem {
-        match self.header() {
+        match self.rows.header() {
             Some(line) => Problem::at(format!("line {line}"), problem),
             None => Problem::new(problem),
         }
@@ -197,7 +215,7 @@ impl PointTable {
         let found =
             if is_empty { "the cell is empty".to_owned() } else { quantity.values[index].to_string() };
         let problem = format!("{found} where {expected} is expected");
-        let at = self.place(row, column);
+        let at = self.rows.place(row, column);
         Err(Problem::at(at, problem).in_file(&self.source))
     }
 
@@ -206,10 +224,10 @@ impl PointTable {
     /// # Errors
     /// Names the first place where it is not so.
     pub fn require_finite_coordinates(&self) -> Result<(), ReadError> {
-        for (values, axis) in self.coordinates.iter().zip(AXES) {
+        for (values, axis) in self.coordinates.iter().zip(&self.axes) {
             if let Some(row) = values.iter().position(|value| !value.is_finite()) {
                 let problem = format!("{} where a finite number is expected", values[row]);
-                return Err(Problem::at(self.place(row, axis), problem).in_file(&self.source));
+                return Err(Problem::at(self.rows.place(row, axis), problem).in_file(&self.source));
             }
             require_span(values.iter()).map_err(|problem| self.spanning(axis, problem))?;
         }

@@ -1,26 +1,9 @@
 //! The table that every reader fills.
 
-use super::error::{Parsed, Problem, ReadError, counted};
-use std::collections::{HashMap, HashSet};
-
-/// The names of the coordinates, axis by axis.
-pub(super) const AXES: [&str; 3] = ["x", "y", "z"];
-
-/// The two names of the mass.
-pub(super) const MASS: [&str; 2] = ["m", "mass"];
-
-/// The two names of the density.
-pub(super) const DENSITY: [&str; 2] = ["rho", "density"];
-
-/// Whether `name` is that of a coordinate, in any case of letters.
-pub(super) fn is_axis(name: &str) -> bool {
-    AXES.iter().any(|axis| name.eq_ignore_ascii_case(axis))
-}
-
-/// Whether `name` is that of a coordinate, the mass or the density, in any case of letters.
-pub(super) fn is_special(name: &str) -> bool {
-    AXES.iter().chain(&MASS).chain(&DENSITY).any(|special| name.eq_ignore_ascii_case(special))
-}
+use super::error::{Parsed, Problem, ReadError, counted, shown};
+use super::names::{AXES, check_names, drop_units};
+use super::position::{self, Coordinates};
+use super::rows::Rows;
 
 /// Points in 1 to 3 dimensions with named arrays, as a file gave them.
 #[derive(Debug, Clone)]
@@ -31,6 +14,8 @@ pub struct PointTable {
     pub coordinates: Vec<Vec<f64>>,
     /// All other arrays of the points, in the file's order.
     pub arrays: Vec<Array>,
+    /// What the file calls the coordinate along each axis.
+    pub(super) axes: Vec<String>,
     pub(super) rows: Rows,
 }
 
@@ -80,37 +65,6 @@ impl Unusable {
     }
 }
 
-/// How a row is named in messages.
-#[derive(Debug, Clone)]
-pub(super) enum Rows {
-    /// By line: the header's, and pairs of the first row and its line, from where on rows and lines go in step.
-    Lines(usize, Vec<(usize, usize)>),
-    /// By number, from 0.
-    Points,
-}
-
-impl Rows {
-    /// Notes the line of the next row.
-    pub(super) fn push(&mut self, row: usize, line: usize) {
-        if let Self::Lines(_, steps) = self
-            && steps.last().is_none_or(|&(first, start)| start + (row - first) != line)
-        {
-            steps.push((row, line));
-        }
-    }
-
-    fn locate(&self, row: usize) -> String {
-        match self {
-            Self::Points => format!("point {row}"),
-            Self::Lines(_, steps) => {
-                let after = steps.partition_point(|&(first, _)| first <= row);
-                let (first, start) = after.checked_sub(1).map_or((0, 2), |step| steps[step]);
-                format!("line {}", start + (row - first))
-            }
-        }
-    }
-}
-
 impl Array {
     /// An array without fault.
     pub fn new(name: impl Into<String>, components: usize, values: Vec<f64>) -> Self {
@@ -135,6 +89,17 @@ impl Array {
     pub(super) fn extend(&mut self, values: Vec<f64>) {
         self.has_numbers |= values.iter().any(|value| !value.is_nan());
         self.values.extend(values);
+    }
+
+    /// The numbers of some of the points.
+    fn select(self, chosen: &[usize]) -> Self {
+        if self.fault.is_some() {
+            return self;
+        }
+        let of_point = |&row: &usize| &self.values[row * self.components..][..self.components];
+        let values = chosen.iter().flat_map(of_point).copied().collect();
+        let first_empty = self.first_empty.and_then(|row| chosen.binary_search(&row).ok());
+        Self { values, first_empty, ..self }
     }
 
     /// Whether the array has any number, be they all usable or not. One that has none (text, empty cells, NaN) is not
@@ -164,22 +129,62 @@ impl PointTable {
         arrays: Vec<Array>,
     ) -> Result<Self, ReadError> {
         let source = source.into();
-        Self::assemble(coordinates, arrays, Rows::Points)
+        Self::assemble(coordinates, arrays, Rows::points())
             .map(|table| Self { source: source.clone(), ..table })
             .map_err(|problem| problem.in_file(&source))
     }
 
-    /// As [`new`](Self::new), before the source is known.
-    pub(super) fn assemble(coordinates: Vec<Vec<f64>>, arrays: Vec<Array>, rows: Rows) -> Parsed<Self> {
-        if !(1..=3).contains(&coordinates.len()) {
-            return Err(Problem::new(format!("1 to 3 dimensions expected, not {}", coordinates.len())));
+    /// As [`new`](Self::new), before the source is known, and without the units behind names.
+    pub(super) fn assemble(coordinates: Vec<Vec<f64>>, mut arrays: Vec<Array>, rows: Rows) -> Parsed<Self> {
+        drop_units(&mut arrays);
+        let names = AXES.iter().take(coordinates.len()).map(|&axis| axis.to_owned()).collect();
+        Self { source: String::new(), coordinates: Vec::new(), arrays, axes: Vec::new(), rows }
+            .at(Coordinates { names, values: coordinates })
+    }
+
+    /// A table of arrays of which some are the coordinates: those that `named` names, or those of usual names.
+    pub(super) fn of_arrays(mut arrays: Vec<Array>, rows: Rows, named: &[String]) -> Parsed<Self> {
+        drop_units(&mut arrays);
+        let table = Self { source: String::new(), coordinates: Vec::new(), arrays, axes: Vec::new(), rows };
+        table.placed(named)
+    }
+
+    /// The table with the coordinates that are among its arrays, in place of those that it has.
+    pub(super) fn placed(mut self, named: &[String]) -> Parsed<Self> {
+        let names: Vec<(&str, usize)> =
+            self.arrays.iter().map(|array| (array.name.as_str(), array.components)).collect();
+        let place = position::find(&names, named).and_then(|place| {
+            place.ok_or_else(|| {
+                let expected = if self.rows.header().is_some() {
+                    "column is called `x`"
+                } else {
+                    "array is called `x` or `pos`"
+                };
+                let names: Vec<String> = names.iter().map(|(name, _)| shown(name.as_bytes())).collect();
+                Problem::position(format!("no {expected}; there are {}", names.join(", ")))
+            })
+        });
+        let header = self.rows.header().map(|line| format!("line {line}"));
+        let located = |problem: Problem| match &header {
+            Some(line) => problem.or_at(line),
+            None => problem,
+        };
+        let place = place.map_err(located)?;
+        let coordinates = position::take(&mut self.arrays, &place, &self.rows).map_err(located)?;
+        self.at(coordinates)
+    }
+
+    /// The table with these coordinates, if all is as it must be.
+    fn at(self, Coordinates { names, values }: Coordinates) -> Parsed<Self> {
+        if !(1..=3).contains(&values.len()) {
+            return Err(Problem::new(format!("1 to 3 dimensions expected, not {}", values.len())));
         }
-        let table = Self { source: String::new(), coordinates, arrays, rows };
+        let table = Self { coordinates: values, axes: names, ..self };
         let points = table.len();
         if let Some(axis) = table.coordinates.iter().position(|axis| axis.len() != points) {
-            let (name, length) = (AXES[axis], table.coordinates[axis].len());
+            let (first, name, length) = (&table.axes[0], &table.axes[axis], table.coordinates[axis].len());
             let points = counted(points, "value");
-            return Err(Problem::new(format!("`x` has {points}, but `{name}` has {length}")));
+            return Err(Problem::new(format!("`{first}` has {points}, but `{name}` has {length}")));
         }
         check_names(table.arrays.iter().map(|array| array.name.as_str())).map_err(Problem::new)?;
         for array in table.arrays.iter().filter(|array| array.fault.is_none()) {
@@ -190,6 +195,17 @@ impl PointTable {
             }
         }
         Ok(table)
+    }
+
+    /// The table of some of the points, by their numbers in ascending order.
+    pub(crate) fn select(self, chosen: &[usize]) -> Self {
+        if chosen.len() == self.len() {
+            return self;
+        }
+        let coordinates = self.coordinates.iter().map(|axis| chosen.iter().map(|&row| axis[row]).collect());
+        let (coordinates, rows) = (coordinates.collect(), self.rows.select(chosen));
+        let arrays = self.arrays.into_iter().map(|array| array.select(chosen)).collect();
+        Self { coordinates, rows, arrays, ..self }
     }
 
     /// How many points there are.
@@ -210,74 +226,5 @@ impl PointTable {
     /// Where the file has point `row`: `line 17` of a text table, whose first line is 1; else `point 12`, from 0.
     pub fn locate(&self, row: usize) -> String {
         self.rows.locate(row)
-    }
-
-    /// The line of the header of a text table.
-    pub(super) fn header(&self) -> Option<usize> {
-        match self.rows {
-            Rows::Lines(header, _) => Some(header),
-            Rows::Points => None,
-        }
-    }
-
-    /// Where the file has the value of `array` at point `row`.
-    pub(super) fn place(&self, row: usize, array: &str) -> String {
-        match self.rows {
-            Rows::Lines(..) => format!("{}, column `{array}`", self.locate(row)),
-            Rows::Points => format!("{} of array `{array}`", self.locate(row)),
-        }
-    }
-}
-
-/// Takes `x`, `y` and `z` out of `arrays`.
-pub(super) fn take_coordinates(arrays: &mut Vec<Array>) -> Parsed<Vec<Vec<f64>>> {
-    let mut coordinates = Vec::new();
-    let mut missing = None;
-    for axis in AXES {
-        let Some(index) = arrays.iter().position(|array| array.name.eq_ignore_ascii_case(axis)) else {
-            missing = missing.or(Some(axis));
-            continue;
-        };
-        if let Some(missing) = missing {
-            return Err(Problem::new(format!("there is a `{axis}` but no `{missing}`")));
-        }
-        let array = arrays.remove(index);
-        array.usable()?;
-        if array.components != 1 {
-            let problem = format!("{} numbers a point, where one is expected", array.components);
-            return Err(Problem::at(format!("array `{}`", array.name), problem));
-        }
-        coordinates.push(array.values);
-    }
-    Ok(coordinates)
-}
-
-/// That no two of `names` are the same; special names are the same in any case of letters.
-pub(super) fn check_names<'a>(names: impl Iterator<Item = &'a str>) -> Result<(), String> {
-    let mut seen = HashMap::new();
-    for (index, name) in names.enumerate() {
-        let key = if is_special(name) { name.to_ascii_lowercase() } else { name.to_owned() };
-        if let Some((first, spelling)) = seen.insert(key, (index + 1, name)) {
-            let second = index + 1;
-            return Err(format!(
-                "the name `{name}` of number {second} is taken: number {first} is `{spelling}`"
-            ));
-        }
-    }
-    Ok(())
-}
-
-/// Gives each empty name of a file's arrays one: `array_` and its position from 0, with underscores behind it where that
-/// name is taken.
-pub(crate) fn fill_empty_names(mut names: Vec<&mut String>) {
-    let mut taken: HashSet<String> =
-        names.iter().filter(|name| name.starts_with("array_")).map(|name| (*name).clone()).collect();
-    for (index, name) in names.iter_mut().enumerate().filter(|(_, name)| name.is_empty()) {
-        let mut free = format!("array_{index}");
-        while taken.contains(&free) {
-            free.push('_');
-        }
-        taken.insert(free.clone());
-        **name = free;
     }
 }

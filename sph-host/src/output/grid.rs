@@ -4,6 +4,7 @@ use thiserror::Error;
 
 use super::Column;
 use super::table::AXES;
+use crate::part::Part;
 
 /// A regular grid of 1 to 3 axes over a box; its points are the centres of the cells, the first axis runs fastest.
 #[derive(Clone, Debug, PartialEq)]
@@ -13,6 +14,17 @@ pub struct Grid {
     upper: Vec<f64>,
     /// The axes in space that the grid's axes are.
     axes: Vec<usize>,
+    /// Where the grid is some layers of a whole one, along the last axis: the first of these, and how many the whole has.
+    layers: Option<Layers>,
+}
+
+/// Some layers of a whole grid.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Layers {
+    first: usize,
+    whole: usize,
+    /// Whether neighbouring parts share a layer.
+    are_shared: bool,
 }
 
 /// Why a grid cannot be: the axis (0 is x) and what is wrong with it.
@@ -77,7 +89,7 @@ impl Grid {
             return Err(GridError::TooMany { counts: counts.to_vec() });
         }
         let axes = (0..counts.len()).collect();
-        Ok(Self { counts: counts.to_vec(), lower: lower.to_vec(), upper: upper.to_vec(), axes })
+        Ok(Self { counts: counts.to_vec(), lower: lower.to_vec(), upper: upper.to_vec(), axes, layers: None })
     }
 
     /// The same grid along other axes in space: `[0, 2]` for a plane of x and z. Anything but as many axes as the grid has, ascending
@@ -124,15 +136,77 @@ impl Grid {
         self.counts.iter().product()
     }
 
+    /// Part of the grid: some of its layers along the last axis, with the bits of the whole; parts that share layers have the first of
+    /// the next one too. None where the part would have no layer of its own.
+    #[must_use]
+    pub fn part(&self, part: Part, are_shared: bool) -> Option<Self> {
+        let last = self.counts.len() - 1;
+        let whole = self.counts[last];
+        let layers = part.layers(whole, are_shared);
+        if part.of() > whole || layers.is_empty() {
+            return None;
+        }
+        let mut counts = self.counts.clone();
+        counts[last] = layers.len();
+        let layers = Some(Layers { first: layers.start, whole, are_shared });
+        Some(Self { counts, layers, ..self.clone() })
+    }
+
+    /// The first and the last point along x, y and z, among those of the whole grid.
+    pub(super) fn extent(&self) -> [(usize, usize); 3] {
+        let mut extent = self.whole_extent();
+        let last = self.counts.len() - 1;
+        if let Some(Layers { first, .. }) = self.layers {
+            extent[self.axes[last]] = (first, first + self.counts[last] - 1);
+        }
+        extent
+    }
+
+    /// The first and the last point of the whole grid along x, y and z.
+    pub(super) fn whole_extent(&self) -> [(usize, usize); 3] {
+        let mut extent = [(0, 0); 3];
+        for (axis, &place) in self.axes.iter().enumerate() {
+            extent[place].1 = self.whole_count(axis) - 1;
+        }
+        extent
+    }
+
+    /// The extent of another part of the same whole.
+    pub(super) fn piece_extent(&self, part: Part) -> [(usize, usize); 3] {
+        let mut extent = self.whole_extent();
+        let last = self.counts.len() - 1;
+        if let Some(Layers { whole, are_shared, .. }) = self.layers {
+            let layers = part.layers(whole, are_shared);
+            extent[self.axes[last]] = (layers.start, layers.end - 1);
+        }
+        extent
+    }
+
+    fn whole_count(&self, axis: usize) -> usize {
+        match self.layers {
+            Some(Layers { whole, .. }) if axis + 1 == self.counts.len() => whole,
+            _ => self.counts[axis],
+        }
+    }
+
     /// The size of a cell along an axis.
     #[must_use]
     pub fn spacing(&self, axis: usize) -> f64 {
-        (self.upper[axis] - self.lower[axis]) / self.counts[axis] as f64
+        (self.upper[axis] - self.lower[axis]) / self.whole_count(axis) as f64
     }
 
     /// The coordinate along `axis` of the centre of the cells with number `index`: lower + (index + ½) · spacing.
     #[must_use]
     pub fn centre(&self, axis: usize, index: usize) -> f64 {
+        let first = match self.layers {
+            Some(Layers { first, .. }) if axis + 1 == self.counts.len() => first,
+            _ => 0,
+        };
+        self.whole_centre(axis, first + index)
+    }
+
+    /// As [`centre`](Self::centre), of the whole grid.
+    pub(super) fn whole_centre(&self, axis: usize, index: usize) -> f64 {
         self.lower[axis] + (index as f64 + 0.5) * self.spacing(axis)
     }
 

@@ -43,7 +43,9 @@ fn write_image(grid: &Grid, writer: &mut impl Write) -> io::Result<()> {
     let image = ImageGeometry::of(grid);
     let [nx, ny, nz] = image.counts;
     write!(writer, "DATASET STRUCTURED_POINTS\nDIMENSIONS {nx} {ny} {nz}\n")?;
-    write!(writer, "ORIGIN {}\nSPACING {}\n", joined(image.origin), joined(image.spacing))
+    let origin = grid.extent().map(|(first, _)| first);
+    let origin = [0, 1, 2].map(|axis| image.origin[axis] + origin[axis] as f64 * image.spacing[axis]);
+    write!(writer, "ORIGIN {}\nSPACING {}\n", joined(origin), joined(image.spacing))
 }
 
 fn write_vertices(table: &Table, writer: &mut impl Write) -> io::Result<()> {
@@ -79,7 +81,8 @@ fn encoded(name: &str) -> String {
     text
 }
 
-/// A grid of cell centres as VTK's image data: always three axes, spacing never zero.
+/// A grid of cell centres as VTK's image data: always three axes, spacing never zero. The origin is that of the whole, where the grid
+/// is part of one.
 pub(super) struct ImageGeometry {
     pub(super) counts: [usize; 3],
     pub(super) origin: [f64; 3],
@@ -93,7 +96,7 @@ impl ImageGeometry {
         for (axis, &count) in grid.counts().iter().enumerate() {
             let place = grid.axes()[axis];
             image.counts[place] = count;
-            image.origin[place] = grid.centre(axis, 0);
+            image.origin[place] = grid.whole_centre(axis, 0);
             if grid.spacing(axis) > 0.0 {
                 image.spacing[place] = grid.spacing(axis);
             }

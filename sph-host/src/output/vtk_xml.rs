@@ -12,6 +12,7 @@ use flate2::Compression;
 use flate2::write::ZlibEncoder;
 use quick_xml::escape::escape;
 
+use super::parallel::extent;
 use super::vtk_legacy::{ImageGeometry, joined};
 use super::{Column, Grid, Precision, Table};
 
@@ -20,8 +21,8 @@ const BLOCK: usize = 1 << 18;
 
 /// A grid as image data whose points are the cell centres.
 pub(super) fn write_image(table: &Table, grid: &Grid, writer: &mut impl Write) -> io::Result<()> {
-    let ImageGeometry { counts: [nx, ny, nz], origin, spacing } = ImageGeometry::of(grid);
-    let extent = format!("0 {} 0 {} 0 {}", nx - 1, ny - 1, nz - 1);
+    let ImageGeometry { origin, spacing, .. } = ImageGeometry::of(grid);
+    let extent = extent(grid.extent());
     begin(writer, "ImageData", &table.caption)?;
     let (origin, spacing) = (joined(origin), joined(spacing));
     writeln!(writer, r#"<ImageData WholeExtent="{extent}" Origin="{origin}" Spacing="{spacing}">"#)?;
@@ -79,7 +80,7 @@ fn write_point_data(table: &Table, writer: &mut impl Write) -> io::Result<()> {
 }
 
 /// A name as the value of an attribute, where a reader takes a bare line end or tab for a blank.
-fn attribute(name: &str) -> String {
+pub(super) fn attribute(name: &str) -> String {
     escape(name).replace('\t', "&#9;").replace('\n', "&#10;").replace('\r', "&#13;")
 }
 

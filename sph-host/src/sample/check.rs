@@ -1,23 +1,28 @@
 //! From tables to checked particles and points.
 
 use super::error::SampleError;
+use super::only::Taken;
 use super::particles::Particles;
+use super::periodic::PeriodicBox;
 use super::planes;
 use super::points::{self, Points};
 use super::read::{Input, Tables};
+use super::region::Region;
 use super::request::Request;
-use super::slabs::Slabs;
+use super::slabs::{FirstReading, Slabs};
 use super::span::Span;
 use super::table;
 
 /// Everything that sums need, checked.
 pub(super) struct Checked {
     pub(super) particles: Set,
-    /// What all particles span.
+    /// What all particles span, their images among them.
     pub(super) span: Span,
     /// The axes that sums run over.
     pub(super) axes: Vec<usize>,
     pub(super) points: Points,
+    /// How many particles there are, without images, of how many in the file.
+    pub(super) taken: Taken,
 }
 
 /// All particles at once, or in slabs of space.
@@ -28,20 +33,33 @@ pub(super) enum Set {
 
 /// Checks particles and points.
 pub(super) fn check(tables: Tables, request: &Request) -> Result<Checked, SampleError> {
-    let (particles, span, axes) = match tables.particles {
-        Input::Whole(read, own_support) => {
+    match tables.particles {
+        Input::Whole(read, taken, own_support) => {
             table::check_coordinates(&read)?;
             let axes = planes::axes_of(&read, request.dim)?;
-            let particles = table::particles(read, own_support, request)?;
-            let span = Span::of(&particles);
-            (Set::Whole(particles), span, axes)
+            let mut particles = table::particles(read, own_support, request)?;
+            let mut span = Span::of(&particles);
+            let mut points = points::points(request, tables.points, Some(&particles), &span, &axes)?;
+            if let Some(periodic) = PeriodicBox::of(request, &span, &axes)? {
+                (particles, points) = (periodic.with_images(particles), points.wrapped(&periodic));
+                span = Span::of(&particles);
+                span.check()?;
+            }
+            if let Some(region) = Region::of(request, &points, &span, &axes) {
+                particles = region.of_particles(particles);
+            }
+            Ok(Checked { particles: Set::Whole(particles), span, axes, points, taken })
         }
-        Input::Pieces(path, most) => {
-            let (slabs, span, axes) = Slabs::read(&path, most, request)?;
-            (Set::Slabs(slabs), span, axes)
+        Input::Pieces(file) => {
+            let first = FirstReading::new(&file, request)?;
+            let mut points = points::points(request, tables.points, None, &first.read, &first.axes)?;
+            if let Some(periodic) = &first.periodic {
+                points = points.wrapped(periodic);
+            }
+            let region = Region::of(request, &points, &first.span, &first.axes);
+            let slabs = Slabs::read(&file, request, &first, region.as_ref())?;
+            let FirstReading { span, axes, taken, .. } = first;
+            Ok(Checked { particles: Set::Slabs(slabs), span, axes, points, taken })
         }
-    };
-    let whole = if let Set::Whole(particles) = &particles { Some(particles) } else { None };
-    let points = points::points(request, tables.points, whole, &span, &axes)?;
-    Ok(Checked { particles, span, axes, points })
+    }
 }

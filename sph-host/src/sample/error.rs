@@ -6,7 +6,6 @@ use std::path::PathBuf;
 use thiserror::Error;
 
 use super::request::SamplePoints;
-use crate::estimate_choice::Estimate;
 use crate::io::ReadError;
 use crate::kernel_choice::KernelName;
 use crate::output::GridError;
@@ -33,6 +32,51 @@ pub enum SampleError {
         /// The particles' file.
         file: String,
     },
+    /// Of the particles in a file, none is wanted.
+    #[error("{file}: none of {of} particles has {only}")]
+    NoneTaken {
+        /// The particles' file.
+        file: String,
+        /// How many there are.
+        of: usize,
+        /// What was wanted.
+        only: String,
+    },
+    /// A periodic box of other dimensions than the particles.
+    #[error("{file}: the particles have {expected} dimensions, the periodic box {given}")]
+    PeriodicDimensions {
+        /// The particles' file.
+        file: String,
+        /// Axes of the box.
+        given: usize,
+        /// Axes that sums run over.
+        expected: usize,
+    },
+    /// A periodic box that is much smaller than the support radius.
+    #[error(
+        "{file}: in the periodic box, a sum with the support radius {support} would reach {images:.0} images of each particle"
+    )]
+    PeriodicTooSmall {
+        /// The particles' file.
+        file: String,
+        /// The largest support radius.
+        support: f64,
+        /// How many images there would be.
+        images: f64,
+    },
+    /// A grid that has fewer layers than there are to be parts.
+    #[error("{file}: a grid of {layers} layers along its last axis cannot be cut into {parts} parts")]
+    TooManyParts {
+        /// The particles' file.
+        file: String,
+        /// Its layers.
+        layers: usize,
+        /// The parts.
+        parts: usize,
+    },
+    /// Standard input is to be the particles and the points.
+    #[error("standard input cannot be both the particles and the points")]
+    StandardInputTwice,
     /// The particles, read in pieces, are to be the points as well.
     #[error("{file}: particles that are read in pieces cannot be the points as well")]
     PiecesAsPoints {
@@ -238,65 +282,4 @@ pub enum SampleError {
     /// The threads cannot be started.
     #[error("cannot start the threads: {0}")]
     Threads(String),
-}
-
-/// What a person should know of a result.
-#[derive(Clone, Debug, PartialEq, Error)]
-#[non_exhaustive]
-pub enum Warning {
-    /// No points were asked for.
-    #[error("there are no points: the result has a header alone")]
-    NoPoints,
-    /// Particles in space that all lie in a plane or on a line across axes.
-    #[error("{file}: {} everywhere, but sums run over 3 dimensions", named(.constant))]
-    Flat {
-        /// The particles' file.
-        file: String,
-        /// The axes along which all particles have the same coordinate, and that.
-        constant: Vec<(&'static str, f64)>,
-    },
-    /// Positions that the scalar tells apart by so much at best.
-    #[error(
-        "{scalar} tells positions apart by {resolution:.1e} at best, where the support radius is {support:e}"
-    )]
-    Coarse {
-        /// The scalar.
-        scalar: String,
-        /// The distance of neighbouring numbers at the farthest particle.
-        resolution: f64,
-        /// The smallest support radius.
-        support: f64,
-    },
-    /// Points that have no particle in reach.
-    #[error("{count} of {points} points have no particle in reach")]
-    OutOfReach {
-        /// How many.
-        count: usize,
-        /// Of how many.
-        points: usize,
-    },
-    /// Points whose particles do not carry the estimate.
-    #[error(
-        "{count} of {points} points have too few particles in reach, or all of them in a plane, for the {estimate} estimate"
-    )]
-    NotCarried {
-        /// By which.
-        estimate: Estimate,
-        /// How many.
-        count: usize,
-        /// Of how many.
-        points: usize,
-    },
-    /// Values that are left out.
-    #[error("{count} values are outside the range of the scalar and left out")]
-    Overflowed {
-        /// How many.
-        count: usize,
-    },
-}
-
-/// Such as "`y` is 0 and `z` is 1".
-fn named(constant: &[(&'static str, f64)]) -> String {
-    let named: Vec<String> = constant.iter().map(|(axis, value)| format!("`{axis}` is {value}")).collect();
-    named.join(" and ")
 }

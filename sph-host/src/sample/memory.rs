@@ -17,6 +17,7 @@ pub(super) fn refuse_oversize(request: &Request) -> Result<(), SampleError> {
         SamplePoints::AtParticles => (count, 3),
         SamplePoints::At(_) => (0.0, 3),
     };
+    let points = request.part.map_or(points, |part| (points / part.part.of() as f64).ceil());
     let columns = fields * (1.0 + if request.gradient { dim as f64 } else { 0.0 });
     // coordinates and columns as f64; a built-in set's particles with what sums need of them
     let needed = points * 8.0 * (dim as f64 + columns) + count * 8.0 * 16.0;

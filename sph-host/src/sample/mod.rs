@@ -17,10 +17,13 @@
 //!     quantities: vec!["pressure".into()],
 //!     gradient: false,
 //!     support: None,
+//!     only: Vec::new(),
+//!     periodic: None,
 //!     estimate: Estimate::Shepard,
 //!     mass: None,
 //!     recompute_density: false,
 //!     scalar: ScalarName::F64,
+//!     part: None,
 //!     threads: None,
 //!     chunk: None,
 //!     exact: false,
@@ -45,13 +48,16 @@ mod error;
 mod evaluate;
 mod found;
 mod memory;
+mod only;
 mod outline;
 mod particle_set;
 mod particles;
+mod periodic;
 mod plan;
 mod planes;
 mod points;
 mod read;
+mod region;
 mod request;
 mod significant;
 mod slabs;
@@ -59,13 +65,16 @@ mod span;
 mod stencil;
 mod table;
 mod units;
+mod warning;
 
-pub use error::{SampleError, Warning};
+pub use error::SampleError;
+pub use only::{Only, Taken, Wanted};
 pub(crate) use particle_set::ParticleSet;
-pub use request::{ParticleSource, Request, SamplePoints, SupportFrom};
+pub use request::{PartOfPoints, ParticleSource, Request, SamplePoints, SupportFrom};
 pub(crate) use significant::Significant;
 pub use units::Units;
 pub(crate) use units::cells;
+pub use warning::Warning;
 
 use std::time::Instant;
 
@@ -93,6 +102,8 @@ pub struct Sampled {
     pub table: Table,
     /// How many particles there are.
     pub particles: usize,
+    /// How many of those of the file they are, where some were chosen.
+    pub taken: Option<Taken>,
     /// How many threads worked.
     pub threads: usize,
     /// The units that the sums were made in.
@@ -113,7 +124,7 @@ pub fn run(request: &Request, progress: &dyn Progress) -> Result<Sampled, Sample
     let tables = read::read(request)?;
     let mut checked = check::check(tables, request)?;
     let points = checked.points;
-    let plan = Plan::new(request, checked.span, checked.axes, &points)?;
+    let plan = Plan::new(request, checked.span, checked.taken.taken, checked.axes, &points)?;
     let read = start.elapsed().as_secs_f64();
 
     progress.begin(points.len() as u64, 0);
@@ -123,7 +134,8 @@ pub fn run(request: &Request, progress: &dyn Progress) -> Result<Sampled, Sample
     progress.end();
 
     let timing = Timing { read, search: done.search_seconds, evaluate: done.evaluate_seconds };
-    Ok(sampled(plan, points, done, timing, pool.current_num_threads()))
+    let taken = (!request.only.is_empty()).then_some(checked.taken);
+    Ok(Sampled { taken, ..sampled(plan, points, done, timing, pool.current_num_threads()) })
 }
 
 /// The result with its warnings.
@@ -151,8 +163,8 @@ fn sampled(
     ];
     warnings.extend(counted.into_iter().filter(|(count, _)| *count > 0).map(|(_, warning)| warning));
     let (caption, precision) = (plan.caption(), plan.precision);
-    let (particles, units) = (plan.span.count, plan.units.clone());
+    let (particles, units) = (plan.particles, plan.units.clone());
     let (coordinates, grid) = points.into_table();
     let table = Table { coordinates, columns: plan.into_columns(done.columns), grid, precision, caption };
-    Sampled { table, particles, threads, units, warnings, timing }
+    Sampled { table, particles, taken: None, threads, units, warnings, timing }
 }

@@ -31,9 +31,9 @@ impl ParticleSet {
     /// The particles of a request that reads them at once.
     pub(crate) fn read(request: &Request) -> Result<Self, SampleError> {
         let (table, own_support) = match read::read(request)?.particles {
-            Input::Whole(table, own_support) => (table, own_support),
-            Input::Pieces(path, _) => {
-                return Err(SampleError::PiecesAsPoints { file: path.display().to_string() });
+            Input::Whole(table, _, own_support) => (table, own_support),
+            Input::Pieces(pieces) => {
+                return Err(SampleError::PiecesAsPoints { file: pieces.file.name().to_owned() });
             }
         };
         table::check_coordinates(&table)?;

@@ -42,6 +42,26 @@ impl Particles {
     pub(super) fn len(&self) -> usize {
         self.coordinates[0].len()
     }
+
+    /// The particles with these numbers, one of which may be there again, at these places.
+    pub(super) fn taken(self, numbers: &[usize], coordinates: Vec<Vec<f64>>) -> Self {
+        let take = |values: &Vec<f64>| numbers.iter().map(|&number| values[number]).collect::<Vec<f64>>();
+        Self {
+            coordinates,
+            masses: self.masses.as_ref().map(take),
+            densities: self.densities.as_ref().map(take),
+            support: match &self.support {
+                Support::Uniform(h) => Support::Uniform(*h),
+                Support::PerParticle(radii) => Support::PerParticle(take(radii)),
+            },
+            quantities: self
+                .quantities
+                .into_iter()
+                .map(|field| Values { values: take(&field.values), ..field })
+                .collect(),
+            file: self.file,
+        }
+    }
 }
 
 /// The least and the greatest.

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use sph_core::Scalar;
 
-use super::error::{AXES, SampleError, Warning};
+use super::error::{AXES, SampleError};
 use super::found::AtPoint;
 use super::planes;
 use super::points::Points;
@@ -12,6 +12,7 @@ use super::request::Request;
 use super::significant::Significant;
 use super::span::Span;
 use super::units::{Units, is_float};
+use super::warning::Warning;
 use crate::output::{Column, Precision, Role};
 use crate::scalar_choice::{ScalarName, with_scalar};
 
@@ -28,6 +29,8 @@ pub(super) struct OutputColumn {
 pub(super) struct Plan<'a> {
     pub(super) request: &'a Request,
     pub(super) span: Span,
+    /// How many particles there are, without images.
+    pub(super) particles: usize,
     /// The axes in space that sums run over.
     pub(super) axes: Vec<usize>,
     pub(super) units: Units,
@@ -40,6 +43,7 @@ impl<'a> Plan<'a> {
     pub(super) fn new(
         request: &'a Request,
         span: Span,
+        particles: usize,
         axes: Vec<usize>,
         points: &Points,
     ) -> Result<Self, SampleError> {
@@ -47,7 +51,7 @@ impl<'a> Plan<'a> {
         let columns = columns(&span, &axes, &units, request.gradient);
         require_one_name_each(&span, points, &columns)?;
         let precision = if request.scalar == ScalarName::F32 { Precision::F32 } else { Precision::F64 };
-        Ok(Self { request, span, axes, units, columns, precision })
+        Ok(Self { request, span, particles, axes, units, columns, precision })
     }
 
     /// Writes what was found at a point into a row of the columns; returns how many values are outside the range of the scalar.
@@ -97,7 +101,7 @@ impl<'a> Plan<'a> {
 
     /// One line for people: what was evaluated.
     pub(super) fn caption(&self) -> String {
-        let Span { file, count, supports, is_uniform, .. } = &self.span;
+        let (Span { file, supports, is_uniform, .. }, count) = (&self.span, self.particles);
         let support = if *is_uniform {
             format!("h = {:.4}", Significant(supports.0))
         } else {

@@ -2,8 +2,9 @@
 
 use super::error::{AXES, SampleError};
 use super::particles::Particles;
+use super::periodic::PeriodicBox;
 use super::planes;
-use super::request::{Request, SamplePoints};
+use super::request::{PartOfPoints, Request, SamplePoints};
 use super::span::Span;
 use crate::io::PointTable;
 use crate::output::{Column, Grid};
@@ -13,8 +14,10 @@ use crate::output::{Column, Grid};
 pub(super) struct Points {
     /// The axis in space (0 is x) and the coordinates along it.
     coordinates: Vec<(usize, Vec<f64>)>,
+    /// The same in the periodic box, for the sums.
+    in_box: Option<Vec<(usize, Vec<f64>)>>,
     grid: Option<Grid>,
-    /// Whether they are the particles, in their order.
+    /// Whether they are the particles of the sums, in their order.
     pub(super) are_particles: bool,
 }
 
@@ -29,12 +32,48 @@ impl Points {
         let some = |(axis, along): &(usize, Vec<f64>)| {
             (*axis, numbers.iter().map(|&number| along[number]).collect())
         };
-        Self { coordinates: self.coordinates.iter().map(some).collect(), grid: None, are_particles: false }
+        let coordinates = self.of_sums().iter().map(some).collect();
+        Self { coordinates, in_box: None, grid: None, are_particles: false }
     }
 
-    /// The coordinates along an axis in space; none where there are no such coordinates.
+    /// A share of the points.
+    fn part(
+        self,
+        PartOfPoints { part, shares_layers }: PartOfPoints,
+        file: &str,
+    ) -> Result<Self, SampleError> {
+        let Some(grid) = &self.grid else {
+            let range = part.range(self.len());
+            let of_axis = |(axis, along): (usize, Vec<f64>)| (axis, along[range.clone()].to_vec());
+            let coordinates = self.coordinates.into_iter().map(of_axis).collect();
+            return Ok(Self { coordinates, are_particles: false, ..self });
+        };
+        let layers = grid.counts().last().copied().unwrap_or(0);
+        let (file, parts) = (file.to_owned(), part.of());
+        let grid = grid.part(part, shares_layers).ok_or(SampleError::TooManyParts { file, layers, parts })?;
+        Ok(Self::of_grid(grid))
+    }
+
+    fn of_grid(grid: Grid) -> Self {
+        let columns = grid.coordinates().into_iter().map(|column| column.values);
+        let coordinates = grid.axes().iter().copied().zip(columns).collect();
+        Self { coordinates, in_box: None, grid: Some(grid), are_particles: false }
+    }
+
+    /// The points for sums in a periodic box.
+    pub(super) fn wrapped(self, periodic: &PeriodicBox) -> Self {
+        let mut in_box = self.coordinates.clone();
+        in_box.iter_mut().for_each(|(axis, along)| periodic.wrap(*axis, along));
+        Self { in_box: Some(in_box), are_particles: false, ..self }
+    }
+
+    fn of_sums(&self) -> &[(usize, Vec<f64>)] {
+        self.in_box.as_ref().unwrap_or(&self.coordinates)
+    }
+
+    /// Where sums are made along an axis in space; none where there are no such coordinates.
     pub(super) fn along(&self, axis: usize) -> &[f64] {
-        self.coordinates.iter().find(|(known, _)| *known == axis).map_or(&[], |(_, along)| along)
+        self.of_sums().iter().find(|(known, _)| *known == axis).map_or(&[], |(_, along)| along)
     }
 
     /// The axes in space that the points have coordinates along.
@@ -49,8 +88,22 @@ impl Points {
     }
 }
 
-/// Makes points, or checks the table that they were read into.
+/// Makes the points of a request, or checks the table that they were read into; the share of them that is asked for.
 pub(super) fn points(
+    request: &Request,
+    table: Option<PointTable>,
+    particles: Option<&Particles>,
+    span: &Span,
+    axes: &[usize],
+) -> Result<Points, SampleError> {
+    let all = all_points(request, table, particles, span, axes)?;
+    match request.part {
+        Some(part) => all.part(part, &span.file),
+        None => Ok(all),
+    }
+}
+
+fn all_points(
     request: &Request,
     table: Option<PointTable>,
     particles: Option<&Particles>,
@@ -59,7 +112,7 @@ pub(super) fn points(
 ) -> Result<Points, SampleError> {
     let of_columns = |columns: Vec<Vec<f64>>, are_particles| {
         let coordinates = columns.into_iter().enumerate().collect();
-        Points { coordinates, grid: None, are_particles }
+        Points { coordinates, in_box: None, grid: None, are_particles }
     };
     match (&request.at, table, particles) {
         (SamplePoints::Grid { counts, bounds }, ..) => grid(counts, bounds.as_deref(), span, axes),
@@ -115,7 +168,5 @@ fn grid(
     let grid = Grid::new(counts, &lower, &upper)
         .map_err(|error| SampleError::Grid { file: file(), error, is_particles_box })?
         .along(axes);
-    let columns = grid.coordinates().into_iter().map(|column| column.values);
-    let coordinates = axes.iter().copied().zip(columns).collect();
-    Ok(Points { coordinates, grid: Some(grid), are_particles: false })
+    Ok(Points::of_grid(grid))
 }

@@ -1,16 +1,17 @@
 //! What can be asked for.
 
-use std::path::PathBuf;
-
+use super::only::Only;
 use crate::estimate_choice::Estimate;
+use crate::io::InputFile;
 use crate::kernel_choice::KernelName;
+use crate::part::Part;
 use crate::scalar_choice::ScalarName;
 
 /// Where the particles come from.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum ParticleSource {
     /// A file.
-    File(PathBuf),
+    File(InputFile),
     /// A built-in set by name, and about how many particles it is to have.
     Demo(String, Option<usize>),
 }
@@ -19,7 +20,7 @@ pub enum ParticleSource {
 #[derive(Clone, Debug, PartialEq)]
 pub enum SamplePoints {
     /// At the points of a file.
-    At(PathBuf),
+    At(InputFile),
     /// At the cell centres of a grid; the box is that of the particles where no bounds (lower, then upper corner) are given.
     Grid {
         /// Cells along each axis.
@@ -31,6 +32,15 @@ pub enum SamplePoints {
     AtParticles,
 }
 
+/// A share of the points: layers of a grid along its last axis, or points on end.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PartOfPoints {
+    /// Which.
+    pub part: Part,
+    /// Whether a part of a grid has the first layer of the next part too, as image data has in which no gap is to be.
+    pub shares_layers: bool,
+}
+
 /// Where the support radii come from.
 #[derive(Clone, Debug, PartialEq)]
 pub enum SupportFrom {
@@ -38,10 +48,10 @@ pub enum SupportFrom {
     Radius(f64),
     /// The smoothing length for all: the support radius divided by the kernel's support ratio.
     SmoothingLength(f64),
-    /// A column with h of each particle.
-    RadiusColumn(String),
-    /// A column with the smoothing length of each particle.
-    SmoothingLengthColumn(String),
+    /// A column that gives h of each particle when it is multiplied with the factor.
+    RadiusColumn(String, f64),
+    /// A column that gives the smoothing length of each particle when it is multiplied with the factor.
+    SmoothingLengthColumn(String, f64),
 }
 
 /// Everything that can be asked for at once.
@@ -61,6 +71,11 @@ pub struct Request {
     pub gradient: bool,
     /// Support radii; none: the set's own, or an error.
     pub support: Option<SupportFrom>,
+    /// Particles are taken where all of these hold.
+    pub only: Vec<Only>,
+    /// The lower corner of a periodic box, then the upper one, over the axes that sums run over or all of the file. An axis with
+    /// equal ends is open.
+    pub periodic: Option<Vec<f64>>,
     /// The estimate.
     pub estimate: Estimate,
     /// The mass of every particle, over a column.
@@ -69,6 +84,8 @@ pub struct Request {
     pub recompute_density: bool,
     /// The number type.
     pub scalar: ScalarName,
+    /// Which part of the points is evaluated, where others evaluate the others; none: all.
+    pub part: Option<PartOfPoints>,
     /// Threads; none: one for each core.
     pub threads: Option<usize>,
     /// How many particles are read at a time, so that a file may be larger than memory; none: all.

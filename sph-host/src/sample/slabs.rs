@@ -1,27 +1,25 @@
 //! A file larger than memory: one slab of space at a time.
 //!
-//! The file is read twice, some particles at a time. The first time says what it spans, and so where slabs across its longest
-//! axis hold about as many particles each; the second time writes every particle to a temporary file for each slab that it
+//! The file is read twice, some particles at a time, and once more where a box is periodic, whose images depend on all h. The first
+//! time says what it spans, and so where slabs across its longest axis hold about as many particles each; the last time writes every particle to a temporary file for each slab that it
 //! matters to, and must read the same numbers. What is summed within a slab depends on nothing beyond 2 h on both sides of it: sums reach h, and the densities
 //! in them h more. Each slab is then evaluated as if it were all there is.
 
 use std::fs::File;
 use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::ops::Range;
-use std::path::Path;
 
 use super::error::SampleError;
+use super::only::Taken;
 use super::outline::Outline;
 use super::particles::{Particles, Support, Values};
+use super::periodic::PeriodicBox;
 use super::planes;
 use super::points::Points;
+use super::read::PieceByPiece;
+use super::region::{self, Region};
 use super::request::Request;
 use super::span::Span;
-use super::table;
-use crate::io::Pieces;
-
-/// Margin over what sums can depend on, for the rounding of distances in the coarsest scalar.
-const MARGIN: f64 = 1.01;
 
 /// Particles in a temporary file, slab by slab.
 pub(super) struct Slabs {
@@ -37,49 +35,32 @@ pub(super) struct Slabs {
 }
 
 impl Slabs {
-    /// Reads the particles of a file, `most` at a time, into slabs that own about `most` particles each; what all of them span,
-    /// and the axes that sums run over.
+    /// Reads the file for the last time: those of its particles that matter in a region, or all.
     pub(super) fn read(
-        path: &Path,
-        most: usize,
-        request: &Request,
-    ) -> Result<(Self, Span, Vec<usize>), SampleError> {
-        let first = FirstReading::new(path, most, request)?;
-        Self::read_again(path, most, request, &first)
-    }
-
-    /// Reads the file for the second time.
-    fn read_again(
-        path: &Path,
-        most: usize,
+        file: &PieceByPiece,
         request: &Request,
         first: &FirstReading,
-    ) -> Result<(Self, Span, Vec<usize>), SampleError> {
-        let empty = || SampleError::NoParticles { file: path.display().to_string() };
-        let span = first.outline.span()?.ok_or_else(empty)?;
-        let axes = planes::axes(&span.file, &span.coordinates, request.dim)?;
+        region: Option<&Region>,
+    ) -> Result<Self, SampleError> {
+        let FirstReading { span, axes, .. } = first;
         let extent = |axis: usize| span.coordinates[axis].1 - span.coordinates[axis].0;
         let longest = axes.iter().copied().max_by(|&a, &b| extent(a).total_cmp(&extent(b)));
         let axis = longest.unwrap_or(0);
-        let cuts = first.outline.cuts(axis, span.count.div_ceil(most.max(1)));
-        let (lower, upper) = span.coordinates[axis];
-        // positions are rounded to the scalar, which has 23 bits for what all span at least
-        let rounding = (upper - lower) * 2_f64.powi(-20);
-        let reach = 2.0 * (MARGIN * span.supports.1 + rounding);
+        let cuts = first.outline.cuts(axis, span.count.div_ceil(file.most.max(1)));
+        let reach = region::reach(span, axis);
         let spool = tempfile::tempfile().map_err(no_spool)?;
         let segments = vec![Vec::new(); cuts.len() + 1];
         let mut slabs = Self { axis, cuts, reach, spool, segments };
-        let changed = || SampleError::Changed { file: path.display().to_string() };
+        let changed = || SampleError::Changed { file: span.file.clone() };
         let mut digest = 0;
-        for piece in Pieces::open(path, most)? {
-            let particles = table::particles(piece?, None, request)?;
+        file.each(request, first.periodic.as_ref(), |particles| {
             if in_columns(&particles).len() != first.columns {
                 return Err(changed());
             }
             digest = add_to_digest(digest, &particles);
-            slabs.write(&particles).map_err(no_spool)?;
-        }
-        if digest == first.digest { Ok((slabs, span, axes)) } else { Err(changed()) }
+            slabs.write(&particles, region).map_err(no_spool)
+        })?;
+        if digest == first.digest { Ok(slabs) } else { Err(changed()) }
     }
 
     /// The numbers of the points in each slab.
@@ -98,10 +79,11 @@ impl Slabs {
         first..last + 1
     }
 
-    fn write(&mut self, particles: &Particles) -> io::Result<()> {
+    fn write(&mut self, particles: &Particles, region: Option<&Region>) -> io::Result<()> {
         let columns = in_columns(particles);
         let mut rows = vec![Vec::new(); self.segments.len()];
-        for row in 0..particles.len() {
+        let matters = |row: &usize| region.is_none_or(|region| region.holds(particles, *row));
+        for row in (0..particles.len()).filter(matters) {
             for slab in self.concerned(columns[self.axis][row]) {
                 for column in &columns {
                     rows[slab].extend(column[row].to_le_bytes());
@@ -140,8 +122,16 @@ impl Slabs {
     }
 }
 
-/// What was read of a file for the first time.
-struct FirstReading {
+/// What is known of all particles of a file before they are put into slabs.
+pub(super) struct FirstReading {
+    /// What they span as they were read.
+    pub(super) read: Span,
+    /// What they span with their images.
+    pub(super) span: Span,
+    /// The axes that sums run over.
+    pub(super) axes: Vec<usize>,
+    pub(super) taken: Taken,
+    pub(super) periodic: Option<PeriodicBox>,
     outline: Outline,
     /// How many numbers a particle has.
     columns: usize,
@@ -150,17 +140,43 @@ struct FirstReading {
 }
 
 impl FirstReading {
-    fn new(path: &Path, most: usize, request: &Request) -> Result<Self, SampleError> {
-        let mut reading = Self { outline: Outline::default(), columns: 0, digest: 0 };
-        for piece in Pieces::open(path, most)? {
-            let piece = piece?;
-            table::check_coordinates(&piece)?;
-            let particles = table::particles(piece, None, request)?;
-            reading.columns = in_columns(&particles).len();
-            reading.digest = add_to_digest(reading.digest, &particles);
-            reading.outline.add(&particles)?;
-        }
-        Ok(reading)
+    /// Reads the file, and again where its box is periodic.
+    pub(super) fn new(file: &PieceByPiece, request: &Request) -> Result<Self, SampleError> {
+        let empty = || SampleError::NoParticles { file: file.file.name().to_owned() };
+        let once = OneReading::new(file, request, None)?;
+        let read = once.outline.span()?.ok_or_else(empty)?;
+        let axes = planes::axes(&read.file, &read.coordinates, request.dim)?;
+        let periodic = PeriodicBox::of(request, &read, &axes)?;
+        let OneReading { outline, taken, columns, digest } = match &periodic {
+            Some(periodic) => OneReading::new(file, request, Some(periodic))?,
+            None => once,
+        };
+        let span = outline.span()?.ok_or_else(empty)?;
+        Ok(Self { read, span, axes, taken, periodic, outline, columns, digest })
+    }
+}
+
+/// What one reading of a file says.
+struct OneReading {
+    outline: Outline,
+    taken: Taken,
+    columns: usize,
+    digest: u64,
+}
+
+impl OneReading {
+    fn new(
+        file: &PieceByPiece,
+        request: &Request,
+        periodic: Option<&PeriodicBox>,
+    ) -> Result<Self, SampleError> {
+        let (mut outline, mut columns, mut digest) = (Outline::default(), 0, 0);
+        let taken = file.each(request, periodic, |particles| {
+            columns = in_columns(&particles).len();
+            digest = add_to_digest(digest, &particles);
+            outline.add(&particles)
+        })?;
+        Ok(Self { outline, taken, columns, digest })
     }
 }
 
@@ -222,15 +238,18 @@ mod tests {
     use crate::sample::request::{ParticleSource, SamplePoints, SupportFrom};
     use crate::scalar_choice::ScalarName;
 
-    fn request(path: &Path) -> Request {
+    fn request(path: &std::path::Path) -> Request {
         Request {
-            particles: ParticleSource::File(path.to_owned()),
+            particles: ParticleSource::File(path.into()),
             at: SamplePoints::Grid { counts: vec![2, 2], bounds: None },
             kernel: KernelName::Poly6,
             dim: None,
             quantities: Vec::new(),
             gradient: false,
             support: Some(SupportFrom::Radius(0.5)),
+            only: Vec::new(),
+            periodic: None,
+            part: None,
             estimate: Estimate::Plain,
             mass: None,
             recompute_density: false,
@@ -248,9 +267,10 @@ mod tests {
         let request = request(&path);
         let read = |text: &str, later: &str| {
             std::fs::write(&path, text).unwrap();
-            let first = FirstReading::new(&path, 2, &request).unwrap();
+            let file = PieceByPiece::new(&path.as_path().into(), 2).unwrap();
+            let first = FirstReading::new(&file, &request).unwrap();
             std::fs::write(&path, later).unwrap();
-            Slabs::read_again(&path, 2, &request, &first).map(|(slabs, ..)| slabs.segments.len())
+            Slabs::read(&file, &request, &first, None).map(|slabs| slabs.segments.len())
         };
         let text = "x,y,m\n0,0,1\n1,0,1\n0,1,1\n";
         assert!(read(text, text).is_ok());

@@ -65,8 +65,8 @@ fn support(table: &PointTable, request: &Request, own: Option<f64>) -> Result<Su
     match &request.support {
         Some(SupportFrom::Radius(h)) => Ok(Support::Uniform(*h)),
         Some(SupportFrom::SmoothingLength(length)) => Ok(Support::Uniform(length * ratio)),
-        Some(SupportFrom::RadiusColumn(name)) => column(name, 1.0),
-        Some(SupportFrom::SmoothingLengthColumn(name)) => column(name, ratio),
+        Some(SupportFrom::RadiusColumn(name, factor)) => column(name, *factor),
+        Some(SupportFrom::SmoothingLengthColumn(name, factor)) => column(name, ratio * factor),
         None => own.map(Support::Uniform).ok_or_else(|| no_support(table, request)),
     }
 }

@@ -102,6 +102,7 @@ impl Request {
         Self {
             particles,
             support: None,
+            only: Vec::new(),
             mass: None,
             dim: None,
             fields: Vec::new(),
@@ -129,6 +130,9 @@ impl Request {
             quantities: self.fields.clone(),
             gradient: true,
             support: self.support.clone(),
+            only: self.only.clone(),
+            periodic: None,
+            part: None,
             estimate: Estimate::Plain,
             mass: self.mass,
             recompute_density: false,

@@ -7,7 +7,7 @@ use sph_lab::{MiniFormat, Overflow, Rounding};
 use super::costs::Target;
 use crate::kernel_choice::KernelName;
 use crate::named_enum::named_enum;
-use crate::sample::{ParticleSource, SupportFrom};
+use crate::sample::{Only, ParticleSource, SupportFrom};
 
 named_enum! {
     /// What the error is measured of.
@@ -54,6 +54,8 @@ pub struct Request {
     pub particles: ParticleSource,
     /// Support radii; none: the set's own, or an error.
     pub support: Option<SupportFrom>,
+    /// Particles are taken where all of these hold.
+    pub only: Vec<Only>,
     /// The mass of every particle, over a column.
     pub mass: Option<f64>,
     /// 1 to 3, where the particles' own number of coordinates is not meant.

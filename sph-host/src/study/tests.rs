@@ -25,7 +25,7 @@ fn file(directory: &tempfile::TempDir, rows: impl Iterator<Item = String>) -> Pa
     let path = directory.path().join("particles.csv");
     let mut file = std::fs::File::create(&path).unwrap();
     rows.for_each(|row| writeln!(file, "{row}").unwrap());
-    ParticleSource::File(path)
+    ParticleSource::File(path.into())
 }
 
 #[test]
@@ -229,7 +229,7 @@ fn sets_that_are_not_as_they_should_be_are_refused() {
         let message = study(rows, change);
         assert!(message.contains(words), "{message}: {words}");
     }
-    let missing = Request::new(ParticleSource::File("no/such/file.csv".into()));
+    let missing = Request::new(ParticleSource::File(std::path::PathBuf::from("no/such/file.csv").into()));
     assert!(matches!(run(&missing, &()), Err(StudyError::Particles(SampleError::Read(_)))));
 }
 

@@ -151,9 +151,9 @@ fn pipes_and_devices_are_refused_in_words() {
 
 #[test]
 fn unknown_endings_are_named_with_those_that_are_known() {
-    let folder = Folder::with("p.vtu.gz", b"\x1f\x8b");
+    let folder = Folder::with("p.dat.gz", b"\x1f\x8b");
     folder.write("p.vtu", b"\x1f\x8b\x08\0");
-    folder.fail_with(2, &format!("sample p.vtu.gz {AT}"), &["p.vtu.gz", ".gz is not known", ".vtu", ".npz"]);
+    folder.fail_with(2, &format!("sample p.dat.gz {AT}"), &["p.dat.gz", "not known", ".vtu", ".npz"]);
     folder.fail_with(1, &format!("sample p.vtu {AT}"), &["p.vtu", "packed by gzip"]);
     folder.fail_with(
         2,

@@ -1,5 +1,6 @@
 //! The command `fluisim` from outside: what is promised of `sample` and `kernels`, sentence by sentence.
 
+mod choosing;
 mod chunks;
 mod columns;
 mod csv_files;
@@ -11,12 +12,15 @@ mod firmware;
 mod grids;
 mod install;
 mod kernels;
+mod names;
 mod numbers;
 mod oracle;
+mod periodic;
 mod planes;
 mod process;
 mod refusals;
 mod scalars;
+mod spreadsheets;
 mod study;
 mod support;
 mod units;

@@ -123,8 +123,8 @@ fn spellings_of_c_are_numbers_in_every_text() {
 
 #[test]
 fn endings_that_are_not_known_are_named() {
-    let error = io::read(std::path::Path::new("a.vtu.gz")).unwrap_err().to_string();
-    assert!(error.starts_with("a.vtu.gz: the ending .gz is not known"), "{error}");
+    let error = io::read(std::path::Path::new("a.dat.gz")).unwrap_err().to_string();
+    assert!(error.starts_with("a.dat.gz: the ending .dat.gz is not known"), "{error}");
     for ending in io::ENDINGS {
         assert!(error.contains(ending), "{error}");
     }

@@ -14,7 +14,7 @@ use crate::memory;
 use std::cell::{Cell, OnceCell};
 
 /// Deflate packs at most so many bytes into one.
-pub(super) const MOST_PACKED: u64 = 1032;
+pub(in crate::io) const MOST_PACKED: u64 = 1032;
 
 /// How often the bytes of a file may be decoded from base64.
 const MOST_DECODED: u64 = 64;

@@ -8,10 +8,10 @@ use super::budget::refuse_wide;
 use super::legacy_text::{Cursor, Kind, Place, decoded, is_keyword};
 use super::text_numbers::required;
 use super::{bytes, from_vtk};
+use crate::io::InputFile;
 use crate::io::error::{Parsed, Problem, counted, shown};
 use crate::io::numbers::Stored;
 use crate::io::table::{Array, PointTable, Unusable};
-use std::path::Path;
 
 /// What has been read so far.
 struct Reader<'a> {
@@ -33,15 +33,15 @@ struct Image {
 }
 
 /// Reads a file of VTK's legacy format.
-pub(super) fn read(path: &Path) -> Parsed<PointTable> {
-    let bytes = bytes(path)?;
+pub(super) fn read(file: &InputFile) -> Parsed<PointTable> {
+    let bytes = bytes(&file.path)?;
     let mut reader = Reader::begin(&bytes)?;
     loop {
         let place = reader.cursor.place();
         let Some(word) = reader.cursor.word_behind_metadata() else { break };
         reader.block(word, place)?;
     }
-    reader.finish()
+    reader.finish(file)
 }
 
 impl<'a> Reader<'a> {
@@ -254,15 +254,15 @@ impl<'a> Reader<'a> {
         Ok(())
     }
 
-    fn finish(self) -> Parsed<PointTable> {
+    fn finish(self, file: &InputFile) -> Parsed<PointTable> {
         let count = self.point_count();
         match (self.points, self.image) {
-            (Some(points), None) => from_vtk(&points, self.arrays),
+            (Some(points), None) => from_vtk(&points, self.arrays, file),
             // The counts are claims; an array with one number a point makes them good.
             (None, Some(image)) if self.arrays.iter().any(|array| array.values.len() >= count) => {
                 // Coordinates point by point, then axis by axis.
                 self.cursor.budget.grow(count.saturating_mul(6)).map_err(Problem::new)?;
-                from_vtk(&image.points(count), self.arrays)
+                from_vtk(&image.points(count), self.arrays, file)
             }
             (None, Some(_)) => {
                 // An array at fault says what is wrong.

@@ -18,7 +18,9 @@ mod xml;
 mod xml_arrays;
 
 use super::error::{Parsed, Problem, ReadError};
-use super::table::{Array, PointTable, Rows};
+use super::input_file::InputFile;
+use super::rows::Rows;
+use super::table::{Array, PointTable};
 pub use pieces::Pieces;
 use pieces::Source;
 use std::fs::File;
@@ -32,17 +34,21 @@ pub struct Format {
     pub endings: &'static [&'static str],
     /// What is read, in a few words.
     pub about: &'static str,
-    read: fn(&Path) -> Parsed<PointTable>,
+    read: fn(&InputFile) -> Parsed<PointTable>,
     pieces: Option<OpenPieces>,
 }
 
 /// Opens a file to be read some points at a time.
-type OpenPieces = fn(&Path) -> Parsed<Box<dyn Source>>;
+type OpenPieces = fn(&InputFile) -> Parsed<Box<dyn Source>>;
 
 impl Format {
     /// Whether [`Pieces`] reads this format some points at a time.
     pub fn is_read_in_pieces(&self) -> bool {
         self.pieces.is_some()
+    }
+
+    fn is_text_table(&self) -> bool {
+        self.endings.iter().any(|ending| [".csv", ".tsv"].contains(ending))
     }
 }
 
@@ -66,7 +72,7 @@ macro_rules! formats {
 }
 
 formats! {
-    [".csv"] "RFC 4180 with a header; `#` comments, blank lines and blanks around cells (not those between quotation marks) are passed over"
+    [".csv"] "RFC 4180 with a header, or `;` between cells and decimal commas; `#` comments, blank lines and blanks around cells (not those between quotation marks) are passed over"
         csv::read::<b','>, Some(csv::pieces::<b','>);
     [".tsv"] "the same with tabs between the cells"
         csv::read::<b'\t'>, Some(csv::pieces::<b'\t'>);
@@ -74,7 +80,7 @@ formats! {
         legacy::read, None;
     [".vtu", ".vtp"] "VTK's XML: ASCII, base64 and raw, inline and appended, plain and zlib"
         xml::read, None;
-    [".npz"] "NumPy's archive: arrays `x`, `y`, `z`, or `pos` of N×D, stored or deflated; a single `mass` or `density` is that of all"
+    [".npz"] "NumPy's archive: arrays `x`, `y`, `z`, or `pos`, `positions`, `coordinates` of N×D, stored or deflated; a single `mass` or `density` is that of all"
         npz::read, Some(npz_rows::pieces);
 }
 
@@ -83,29 +89,30 @@ pub(super) fn endings_in_pieces() -> impl Iterator<Item = &'static &'static str>
     FORMATS.iter().filter(|format| format.is_read_in_pieces()).flat_map(|format| format.endings)
 }
 
-/// The format that a path's ending names.
-fn format_of(path: &Path) -> Option<&'static Format> {
-    let ending = format!(".{}", path.extension()?.to_str()?.to_ascii_lowercase());
-    FORMATS.iter().find(|format| format.endings.contains(&&*ending))
+/// The format that the end of a name in small letters names.
+pub(super) fn format_of(name: &str) -> Option<&'static Format> {
+    let (_, ending) = name.rsplit_once('.')?;
+    FORMATS.iter().find(|format| format.endings.iter().any(|known| known[1..] == *ending))
 }
 
-/// Reads a particle file by its ending.
+/// Reads a particle file by its ending: as [`InputFile::read`], where the name says all.
 ///
 /// # Errors
-/// [`ReadError::UnknownEnding`] before the file is looked at; [`ReadError::NotAFile`] for a device, and for a pipe where a
-/// format needs more than one pass; [`ReadError::Io`] when the system would not give its bytes; [`ReadError::Invalid`]
-/// when its content is at fault.
+/// As [`InputFile::read`].
 pub fn read(path: &Path) -> Result<PointTable, ReadError> {
-    let file = path.display().to_string();
-    let Some(format) = format_of(path) else { return Err(ReadError::UnknownEnding { file }) };
-    match (format.read)(path) {
-        Ok(table) => Ok(PointTable { source: file, ..table }),
-        Err(problem) => Err(problem.in_file(&file)),
+    InputFile::from(path).read()
+}
+
+/// Reads a file that is at hand.
+pub(super) fn whole(format: &Format, file: &InputFile) -> Parsed<PointTable> {
+    if file.skip_lines > 0 && !format.is_text_table() {
+        return Err(Problem::new("lines are skipped in text tables (.csv, .tsv) alone"));
     }
+    (format.read)(file)
 }
 
 /// Refuses a device, which may never end, and a pipe unless it may be one. `expected` says what can be read.
-fn refuse_special(path: &Path, may_be_pipe: bool, expected: &'static str) -> Parsed<()> {
+pub(super) fn refuse_special(path: &Path, may_be_pipe: bool, expected: &'static str) -> Parsed<()> {
     let kind = path.metadata()?.file_type();
     #[cfg(not(unix))]
     let _ = (kind, may_be_pipe, expected);
@@ -147,6 +154,11 @@ fn bytes(path: &Path) -> Parsed<Vec<u8>> {
     Ok(bytes)
 }
 
+/// The whole of a text.
+pub(super) fn text(path: &Path) -> Parsed<String> {
+    String::from_utf8(bytes(path)?).map_err(|_| Problem::new("not UTF-8"))
+}
+
 /// What the first bytes of a file say that it is, where no format here starts so.
 fn foreign(start: &[u8]) -> Option<&'static str> {
     let known: [(&[u8], &str); 9] = [
@@ -163,8 +175,9 @@ fn foreign(start: &[u8]) -> Option<&'static str> {
     known.iter().find(|(first, _)| start.starts_with(first)).map(|&(_, what)| what)
 }
 
-/// A table of VTK: three coordinates a point, one point after the other.
-fn from_vtk(points: &[f64], arrays: Vec<Array>) -> Parsed<PointTable> {
+/// A table of VTK: three coordinates a point, one point after the other, unless others are named.
+fn from_vtk(points: &[f64], arrays: Vec<Array>, file: &InputFile) -> Parsed<PointTable> {
     let axis = |axis: usize| points.iter().skip(axis).step_by(3).copied().collect();
-    PointTable::assemble(vec![axis(0), axis(1), axis(2)], arrays, Rows::Points)
+    let table = PointTable::assemble(vec![axis(0), axis(1), axis(2)], arrays, Rows::points())?;
+    if file.position.is_empty() { Ok(table) } else { table.placed(&file.position) }
 }

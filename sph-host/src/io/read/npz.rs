@@ -3,10 +3,12 @@
 use super::budget::{Budget, MOST_PACKED, refuse_many, refuse_wide};
 use super::npy::Header;
 use super::{open, refuse_special};
+use crate::io::InputFile;
 use crate::io::error::{Parsed, Problem, counted};
-use crate::io::table::{
-    Array, DENSITY, MASS, PointTable, Rows, Unusable, fill_empty_names, is_axis, take_coordinates,
-};
+use crate::io::names::{DENSITY, MASS, fill_empty_names, without_unit};
+use crate::io::position::{self, Place};
+use crate::io::rows::Rows;
+use crate::io::table::{Array, PointTable, Unusable};
 use std::fs::File;
 use std::io::{BufReader, Read, Seek};
 use std::path::Path;
@@ -23,14 +25,14 @@ pub(super) struct Member {
 }
 
 /// Reads an archive with the arrays `x`, `y`, `z`, or `pos` of N×D.
-pub(super) fn read(path: &Path) -> Parsed<PointTable> {
-    let (mut archive, budget) = open_archive(path)?;
+pub(super) fn read(file: &InputFile) -> Parsed<PointTable> {
+    let (mut archive, budget) = open_archive(&file.path)?;
     let mut members = Vec::new();
     for index in 0..archive.len() {
         members.extend(member(&mut archive, index, &budget)?);
     }
     fill_empty_names(members.iter_mut().map(|member| &mut member.name).collect());
-    assemble(members, &budget)
+    assemble(members, &file.position, &budget)
 }
 
 /// Opens the archive, which has to be a regular file, with the budget of its size.
@@ -48,35 +50,35 @@ pub(super) fn open_archive(path: &Path) -> Parsed<(ZipArchive<BufReader<File>>, 
     Ok((archive, budget))
 }
 
-/// A table of arrays.
-pub(super) fn assemble(mut members: Vec<Member>, budget: &Budget) -> Parsed<PointTable> {
+/// A table of arrays, of which some are the coordinates: those that `named` names, or those of usual names.
+pub(super) fn assemble(members: Vec<Member>, named: &[String], budget: &Budget) -> Parsed<PointTable> {
     if members.is_empty() {
         let problem = "there are no arrays in the archive: members that end in .npy are expected";
         return Err(Problem::new(problem));
     }
-    let has_x = members.iter().any(|member| member.is("x"));
-    // Beside `x`, a `pos` of another shape is an array like any other.
-    let pos = members.iter().position(|member| member.is("pos") && !(has_x && member.axes().is_none()));
-    let mut coordinates = match pos {
-        Some(index) => positions(members.remove(index))?,
-        None => Vec::new(),
+    let shapes = members.iter().map(|member| (member.name.as_str(), &member.shape[..]));
+    let place = place(shapes, named)?;
+    let coordinates = place.as_ref().map_or(&[][..], Place::arrays);
+    let points = coordinates.first().and_then(|&at| members[at].shape.first().copied()).unwrap_or(0);
+    let arrays = members.into_iter().enumerate();
+    let arrays = arrays.map(|(at, member)| member.array(points, coordinates.contains(&at), budget)).collect();
+    PointTable::of_arrays(arrays, Rows::points(), named)
+}
+
+/// Where the coordinates are among arrays of these names and shapes.
+pub(super) fn place<'a>(
+    shapes: impl Iterator<Item = (&'a str, &'a [usize])>,
+    named: &[String],
+) -> Parsed<Option<Place>> {
+    let numbers = |(name, shape): (&'a str, &[usize])| {
+        let numbers = match shape {
+            [] => 0,
+            [_, rest @ ..] => rest.iter().fold(1_usize, |all, &length| all.saturating_mul(length)),
+        };
+        (without_unit(name), numbers)
     };
-    let points = coordinates.first().map(Vec::len);
-    let points = points.or_else(|| members.iter().find(|member| member.is("x"))?.shape.first().copied());
-    let names: Vec<String> = members.iter().map(|member| format!("`{}`", member.name)).collect();
-    let mut arrays: Vec<Array> =
-        members.into_iter().map(|member| member.array(points.unwrap_or(0), budget)).collect();
-    let axes = take_coordinates(&mut arrays)?;
-    match (coordinates.is_empty(), axes.is_empty()) {
-        (false, false) => return Err(Problem::new("there is both `pos` and `x`: one of them is expected")),
-        (true, true) => {
-            let problem = format!("no array is called `x` or `pos`; there are {}", names.join(", "));
-            return Err(Problem::new(problem));
-        }
-        (true, false) => coordinates = axes,
-        (false, true) => {}
-    }
-    PointTable::assemble(coordinates, arrays, Rows::Points)
+    let arrays: Vec<(&str, usize)> = shapes.map(numbers).collect();
+    position::find(&arrays, named)
 }
 
 /// The name of an array in an archive, `None` if the member is none.
@@ -130,20 +132,8 @@ pub(super) fn damaged(error: &std::io::Error) -> String {
 }
 
 impl Member {
-    fn is(&self, name: &str) -> bool {
-        self.name.eq_ignore_ascii_case(name)
-    }
-
-    /// How many coordinates a point has, if the shape is that of positions.
-    fn axes(&self) -> Option<usize> {
-        match self.shape[..] {
-            [_, axes @ 1..=3] => Some(axes),
-            _ => None,
-        }
-    }
-
-    /// The array at `points` points, with a fault if it has not one row for each.
-    fn array(self, points: usize, budget: &Budget) -> Array {
+    /// The array at `points` points, with a fault if it has not one row for each and is no coordinate.
+    fn array(self, points: usize, is_coordinate: bool, budget: &Budget) -> Array {
         let Self { name, shape, values } = self;
         let values = match values {
             Ok(values) => values,
@@ -162,7 +152,7 @@ impl Member {
             return Array::unusable(name, Unusable::other(unfit(&shape, points)));
         };
         let components = rest.iter().try_fold(1usize, |all, &length| all.checked_mul(length)).unwrap_or(0);
-        if components == 0 || rows != points && !is_axis(&name) {
+        if components == 0 || rows != points && !is_coordinate {
             return Array::unusable(name, Unusable::other(unfit(&shape, points)));
         }
         if let Err(problem) = refuse_wide(components) {
@@ -185,16 +175,4 @@ pub(super) fn unfit(shape: &[usize], count: usize) -> String {
         [] => format!("a single number, where one for each of {points} is expected"),
         _ => format!("shape {shape:?}, where [{count}] or [{count}, n] for {points} is expected"),
     }
-}
-
-/// The coordinates of `pos`, axis by axis.
-fn positions(pos: Member) -> Parsed<Vec<Vec<f64>>> {
-    let at = format!("array `{}`", pos.name);
-    let axes = pos.axes();
-    let values = pos.values.map_err(|unusable| Problem::at(&at, unusable.problem))?;
-    let axes = axes.ok_or_else(|| {
-        Problem::at(at, format!("shape {:?} where [points, 1 to 3] is expected", pos.shape))
-    })?;
-    let axis = |axis: usize| values.iter().skip(axis).step_by(axes).copied().collect();
-    Ok((0..axes).map(axis).collect())
 }

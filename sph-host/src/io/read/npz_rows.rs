@@ -4,9 +4,12 @@ use super::budget::Budget;
 use super::npy::Header;
 use super::npz::{self, Member, array_name, damaged, is_single, open_archive, unfit};
 use super::pieces::Source;
+use crate::io::InputFile;
 use crate::io::error::{Parsed, Problem};
+use crate::io::names::fill_empty_names;
 use crate::io::numbers::{Endian, Stored};
-use crate::io::table::{PointTable, Unusable, fill_empty_names, is_axis};
+use crate::io::position::Place;
+use crate::io::table::{PointTable, Unusable};
 use flate2::{CrcReader, read::DeflateDecoder};
 use std::fs::File;
 use std::io::{BufReader, Read, Seek, SeekFrom};
@@ -20,6 +23,8 @@ struct Archive {
     size: u64,
     /// Points that are still to come.
     left: usize,
+    /// The names of the coordinates, if they were named.
+    position: Vec<String>,
 }
 
 /// An array that is being read.
@@ -48,20 +53,22 @@ struct Input {
 }
 
 /// Opens an archive to be read some rows at a time.
-pub(super) fn pieces(path: &Path) -> Parsed<Box<dyn Source>> {
-    let (mut archive, budget) = open_archive(path)?;
+pub(super) fn pieces(file: &InputFile) -> Parsed<Box<dyn Source>> {
+    let (mut archive, budget) = open_archive(&file.path)?;
     let mut arrays = Vec::new();
     for index in 0..archive.len() {
-        arrays.extend(Rows::open(path, &mut archive, index)?);
+        arrays.extend(Rows::open(&file.path, &mut archive, index)?);
     }
     fill_empty_names(arrays.iter_mut().map(|rows| &mut rows.name).collect());
-    let first = |name: &str| arrays.iter().find(|rows: &&Rows| rows.name.eq_ignore_ascii_case(name));
-    let leader = first("x").or_else(|| first("pos"));
-    let left = leader.and_then(|rows| rows.shape.first().copied()).unwrap_or(0);
-    for rows in &mut arrays {
-        rows.fit(left, &budget)?;
+    let shapes = arrays.iter().map(|rows| (rows.name.as_str(), &rows.shape[..]));
+    let place = npz::place(shapes, &file.position)?;
+    let coordinates = place.as_ref().map_or(&[][..], Place::arrays);
+    let left = coordinates.first().and_then(|&at| arrays[at].shape.first().copied()).unwrap_or(0);
+    for (at, rows) in arrays.iter_mut().enumerate() {
+        rows.fit(left, coordinates.contains(&at), &budget)?;
     }
-    Ok(Box::new(Archive { arrays, left, size: path.metadata()?.len() }))
+    let (size, position) = (file.path.metadata()?.len(), file.position.clone());
+    Ok(Box::new(Archive { arrays, left, size, position }))
 }
 
 impl Source for Archive {
@@ -73,6 +80,7 @@ impl Source for Archive {
         let budget = Budget::of_file(self.size);
         npz::assemble(
             self.arrays.iter_mut().map(|rows| rows.next(count, is_last, &budget)).collect(),
+            &self.position,
             &budget,
         )
     }
@@ -106,12 +114,12 @@ impl Rows {
     }
 
     /// Sets aside an array that has not one row for each of `points` points.
-    fn fit(&mut self, points: usize, budget: &Budget) -> Parsed<()> {
+    fn fit(&mut self, points: usize, is_coordinate: bool, budget: &Budget) -> Parsed<()> {
         if self.shape.first() == Some(&points) {
             return Ok(());
         }
         let Content::Rows(input) = &mut self.content else { return Ok(()) };
-        if is_axis(&self.name) {
+        if is_coordinate {
             return Err(Problem::at(format!("array `{}`", self.name), unfit(&self.shape, points)));
         }
         self.content = if is_single(&self.name, &self.shape, points) {

@@ -1,9 +1,12 @@
 //! Files larger than memory: some points at a time.
 
-use super::{ReadError, format_of, refuse_special};
+use super::{Format, ReadError, refuse_special};
+use crate::io::InputFile;
 use crate::io::error::{Parsed, Problem};
 use crate::io::table::PointTable;
 use std::path::Path;
+use std::sync::Arc;
+use tempfile::TempPath;
 
 /// A file that gives its points in tables of a few.
 pub(super) trait Source {
@@ -34,6 +37,8 @@ pub struct Pieces {
     most: usize,
     /// None after the last piece and after an error.
     reader: Option<Box<dyn Source>>,
+    /// The file that is read, where it is a temporary one.
+    _spool: Option<Arc<TempPath>>,
 }
 
 impl Pieces {
@@ -43,13 +48,23 @@ impl Pieces {
     /// As [`read`](super::read()). An ending that cannot be read piece by piece is [`ReadError::NotInPieces`]. The file must be a
     /// regular one, not a pipe: who reads in pieces reads more than once, or in several places.
     pub fn open(path: &Path, most: usize) -> Result<Self, ReadError> {
-        let source = path.display().to_string();
-        let format = format_of(path).and_then(|format| format.pieces);
-        let open = format.ok_or_else(|| ReadError::NotInPieces { file: source.clone() })?;
+        InputFile::from(path).at_hand()?.pieces(most)
+    }
+
+    /// Opens a file that is at hand, called `name`, and keeps what it is spooled to.
+    pub(in crate::io) fn of(
+        file: &InputFile,
+        name: &str,
+        format: &Format,
+        spool: Option<Arc<TempPath>>,
+        most: usize,
+    ) -> Result<Self, ReadError> {
+        let source = name.to_owned();
+        let open = format.pieces.ok_or_else(|| ReadError::NotInPieces { file: source.clone() })?;
         let expected = "a regular file is expected, because what is read in pieces is read more than once";
-        let opened = refuse_special(path, false, expected).and_then(|()| open(path));
+        let opened = refuse_special(&file.path, false, expected).and_then(|()| open(file));
         match opened {
-            Ok(reader) => Ok(Self { source, most: most.max(1), reader: Some(reader) }),
+            Ok(reader) => Ok(Self { source, most: most.max(1), reader: Some(reader), _spool: spool }),
             Err(problem) => Err(problem.in_file(&source)),
         }
     }

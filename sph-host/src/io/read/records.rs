@@ -9,6 +9,10 @@ use std::io::BufRead;
 pub(super) struct Records<R> {
     input: R,
     delimiter: u8,
+    /// The last comment before the first record, with its line.
+    comment: Option<(usize, Vec<u8>)>,
+    /// Whether no record has been read.
+    is_new: bool,
     /// How many lines have been read.
     lines: usize,
     line: Vec<u8>,
@@ -46,7 +50,18 @@ enum State {
 impl<R: BufRead> Records<R> {
     pub(super) fn new(input: R, delimiter: u8) -> Self {
         let (line, unquoted, cells) = (Vec::new(), Vec::new(), Vec::new());
-        Self { input, delimiter, lines: 0, line, unquoted, has_return: false, cells, has_marks: false }
+        let (comment, is_new, has_return, has_marks) = (None, true, false, false);
+        Self { input, delimiter, comment, is_new, lines: 0, line, unquoted, has_return, cells, has_marks }
+    }
+
+    /// Passes over so many lines, or all there are.
+    pub(super) fn skip_lines(&mut self, count: usize) -> Parsed<()> {
+        for _ in 0..count {
+            if !self.next_line()? {
+                break;
+            }
+        }
+        Ok(())
     }
 
     /// Moves to the next record and returns the line that it starts on, from 1.
@@ -56,9 +71,14 @@ impl<R: BufRead> Records<R> {
                 return Ok(None);
             }
             match self.line.iter().find(|&&byte| !self.is_blank(byte)) {
-                None | Some(b'#') => {}
+                None => {}
+                Some(b'#') if self.is_new => self.comment = Some((self.lines, self.line.clone())),
+                Some(b'#') => {}
                 Some(_) => break,
             }
+        }
+        if std::mem::take(&mut self.is_new) && self.delimiter == b',' {
+            self.find_delimiter();
         }
         let start = self.lines;
         self.cells.clear();
@@ -69,6 +89,26 @@ impl<R: BufRead> Records<R> {
             self.cut()
         }
         Ok(Some(start))
+    }
+
+    /// Semicolons are between the cells where the first record, or else the comment before it, has some and no comma.
+    fn find_delimiter(&mut self) {
+        let comment = self.comment.as_ref().map(|(_, comment)| comment);
+        if has_semicolons(&self.line) || comment.is_some_and(|comment| has_semicolons(comment)) {
+            self.delimiter = b';';
+        }
+    }
+
+    /// Whether commas are in numbers, as they are where semicolons are between them.
+    pub(super) fn has_decimal_commas(&self) -> bool {
+        self.delimiter == b';'
+    }
+
+    /// The last comment before the first record, without its marks, as records of their own, and its line.
+    pub(super) fn comment(&self) -> Option<(usize, Records<&[u8]>)> {
+        let (line, comment) = self.comment.as_ref()?;
+        let start = comment.iter().position(|byte| !b"# \t".contains(byte))?;
+        Some((*line, Records { is_new: false, ..Records::new(&comment[start..], self.delimiter) }))
     }
 
     /// How many cells the current record has.
@@ -185,6 +225,22 @@ impl<R: BufRead> Records<R> {
         self.unquoted.push(byte);
         Ok(next)
     }
+}
+
+/// Whether a line has semicolons outside quotation marks, and no comma there.
+fn has_semicolons(line: &[u8]) -> bool {
+    let mut is_quoted = false;
+    let mut outside = line.iter().filter(|&&byte| {
+        is_quoted ^= byte == b'"';
+        !is_quoted
+    });
+    let (mut semicolons, mut commas) = (0, 0);
+    outside.by_ref().for_each(|&byte| match byte {
+        b';' => semicolons += 1,
+        b',' => commas += 1,
+        _ => {}
+    });
+    semicolons > 0 && commas == 0
 }
 
 #[cfg(test)]

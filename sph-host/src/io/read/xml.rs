@@ -7,14 +7,14 @@ use super::budget::Budget;
 use super::text_numbers::{TextNumbers, required};
 use super::xml_arrays::{Content, DataArray, Form, Layout, layout};
 use super::{bytes, from_vtk};
+use crate::io::InputFile;
 use crate::io::error::{Parsed, Problem, counted};
 use crate::io::table::{Array, PointTable, Unusable};
 use std::borrow::Cow;
-use std::path::Path;
 
 /// Reads unstructured grids and polygonal data.
-pub(super) fn read(path: &Path) -> Parsed<PointTable> {
-    let bytes = bytes(path)?;
+pub(super) fn read(file: &InputFile) -> Parsed<PointTable> {
+    let bytes = bytes(&file.path)?;
     let layout = layout(&bytes)?;
     if layout.pieces.is_empty() {
         return Err(Problem::new("there is no Piece, or the file is cut short"));
@@ -30,7 +30,7 @@ pub(super) fn read(path: &Path) -> Parsed<PointTable> {
         }
         points.extend(read);
     }
-    from_vtk(&points, layout.arrays())
+    from_vtk(&points, layout.arrays(), file)
 }
 
 impl Layout<'_> {

@@ -3,8 +3,9 @@
 use super::appended::Packing;
 use super::budget::{Budget, refuse_many, refuse_wide};
 use crate::io::error::{Parsed, Problem, shown};
+use crate::io::names::fill_empty_names;
 use crate::io::numbers::{Endian, Stored};
-use crate::io::table::{Unusable, fill_empty_names};
+use crate::io::table::Unusable;
 use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
 use std::borrow::Cow;

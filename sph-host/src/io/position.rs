@@ -1,0 +1,243 @@
+//! Where among a file's arrays the coordinates are.
+//!
+//! They are known by the names that programs give them: `x`, `y`, `z`; an array of vectors called `pos`, `positions`,
+//! `coordinates` or the like; or its components, spelled as in `Points:0`, `Points_0`, `pos_x`, `Pos.x`. Where a file has more
+//! than one such set, the user says which is meant.
+
+use super::error::{Parsed, Problem};
+use super::names::{AXES, Spelling, component, without_unit};
+use super::rows::Rows;
+use super::table::Array;
+
+/// The names of arrays of coordinates, in small letters.
+const VECTORS: [&str; 6] = ["pos", "position", "positions", "coordinates", "coords", "points"];
+
+/// Where coordinates are, by the numbers of arrays.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) enum Place {
+    /// In one array of 1 to 3 numbers a point.
+    Vector(usize),
+    /// In an array of one number a point for each axis.
+    Columns(Vec<usize>),
+}
+
+impl Place {
+    /// The numbers of the arrays.
+    pub(super) fn arrays(&self) -> &[usize] {
+        match self {
+            Self::Vector(array) => std::slice::from_ref(array),
+            Self::Columns(arrays) => arrays,
+        }
+    }
+}
+
+/// Coordinates with the name that messages call each axis by.
+pub(super) struct Coordinates {
+    pub(super) names: Vec<String>,
+    pub(super) values: Vec<Vec<f64>>,
+}
+
+/// Finds the coordinates among arrays, each a name and how many numbers a point has: by the names that `named` has, or by the
+/// usual ones. `None` where there is none of these.
+pub(super) fn find(arrays: &[(&str, usize)], named: &[String]) -> Parsed<Option<Place>> {
+    match named {
+        [] => usual(arrays),
+        [one] => vector(arrays, one).map(Some),
+        several => {
+            let columns = several.iter().map(|name| column(arrays, name)).collect::<Parsed<Vec<_>>>()?;
+            let is_twice = |&&at: &&usize| columns.iter().filter(|&&other| other == at).count() > 1;
+            match columns.iter().find(is_twice) {
+                Some(&at) => Err(Problem::position(format!("`{}` is named for two axes", arrays[at].0))),
+                None => Ok(Some(Place::Columns(columns))),
+            }
+        }
+    }
+}
+
+/// The array of exactly this name, or of this name but for letters and the unit.
+fn index(arrays: &[(&str, usize)], name: &str) -> Option<usize> {
+    let exact = arrays.iter().position(|(known, _)| *known == name);
+    exact.or_else(|| arrays.iter().position(|(known, _)| known.eq_ignore_ascii_case(without_unit(name))))
+}
+
+fn unknown(arrays: &[(&str, usize)], name: &str) -> Problem {
+    let known: Vec<String> = arrays.iter().map(|(name, _)| format!("`{name}`")).collect();
+    Problem::position(format!("there is no `{name}` to be the coordinates; there are {}", known.join(", ")))
+}
+
+fn column(arrays: &[(&str, usize)], name: &str) -> Parsed<usize> {
+    let at = index(arrays, name).ok_or_else(|| unknown(arrays, name))?;
+    match arrays[at] {
+        (_, 1) => Ok(at),
+        (name, numbers) => {
+            Err(Problem::position(format!("`{name}` has {numbers} numbers a point, where one is expected")))
+        }
+    }
+}
+
+/// The array of vectors with this name, or the columns of its components.
+fn vector(arrays: &[(&str, usize)], name: &str) -> Parsed<Place> {
+    if let Some(at) = index(arrays, name) {
+        return match arrays[at] {
+            (_, 1..=3) => Ok(Place::Vector(at)),
+            (name, numbers) => Err(Problem::position(format!(
+                "`{name}` has {numbers} numbers a point, where 1 to 3 are expected"
+            ))),
+        };
+    }
+    let components = Spelling::all().map(|spelling| {
+        let along = |axis| index(arrays, &spelling.component(name, axis)).filter(|&at| arrays[at].1 == 1);
+        (0..3).map_while(along).collect::<Vec<_>>()
+    });
+    let found = components.into_iter().find(|columns| !columns.is_empty());
+    found.map(Place::Columns).ok_or_else(|| unknown(arrays, name))
+}
+
+/// The coordinates by usual names.
+fn usual(arrays: &[(&str, usize)]) -> Parsed<Option<Place>> {
+    let mut places = vec![plain(arrays)];
+    places.extend(VECTORS.iter().flat_map(|vector| {
+        let whole = arrays
+            .iter()
+            .position(|(name, numbers)| (2..=3).contains(numbers) && name.eq_ignore_ascii_case(vector));
+        let columns = Spelling::all().map(|spelling| components(arrays, vector, spelling));
+        columns.into_iter().chain([whole.map(Place::Vector)]).collect::<Vec<_>>()
+    }));
+    let mut places = places.into_iter().flatten();
+    match (places.next(), places.next()) {
+        (Some(first), Some(second)) => {
+            let [first, second] = [first, second].map(|place| spelled(arrays, &place));
+            Err(Problem::position(format!(
+                "coordinates are in {first} and in {second}: one of them is expected"
+            )))
+        }
+        (Some(place), None) => Ok(Some(place)),
+        (None, _) => alone(arrays),
+    }
+}
+
+/// The columns `x`, `y`, `z`, as many as there are without a gap.
+fn plain(arrays: &[(&str, usize)]) -> Option<Place> {
+    let found = AXES.map(|axis| arrays.iter().position(|(name, _)| name.eq_ignore_ascii_case(axis)));
+    without_gap(found)
+}
+
+/// The columns of the components of a vector, in one spelling, as many as there are without a gap.
+fn components(arrays: &[(&str, usize)], vector: &str, spelling: Spelling) -> Option<Place> {
+    let mut found = [None; 3];
+    for (at, (name, numbers)) in arrays.iter().enumerate() {
+        let Some((of, how, axis)) = component(name) else { continue };
+        if *numbers == 1 && how == spelling && of.eq_ignore_ascii_case(vector) {
+            found[axis] = found[axis].or(Some(at));
+        }
+    }
+    without_gap(found)
+}
+
+fn without_gap(found: [Option<usize>; 3]) -> Option<Place> {
+    let axes: Vec<usize> = found.into_iter().map_while(|at| at).collect();
+    (!axes.is_empty() && axes.len() == found.iter().flatten().count()).then_some(Place::Columns(axes))
+}
+
+/// What is left where no set is whole: an array of one number a point by the name of a vector, or an error for an axis that is missing.
+fn alone(arrays: &[(&str, usize)]) -> Parsed<Option<Place>> {
+    let has = |axis: &&&str| arrays.iter().any(|(name, _)| name.eq_ignore_ascii_case(axis));
+    if let Some(axis) = AXES.iter().rfind(has) {
+        let missing = AXES.iter().find(|axis| !has(axis)).unwrap_or(axis);
+        return Err(Problem::position(format!("there is a `{axis}` but no `{missing}`")));
+    }
+    let is_vector = |name: &str| VECTORS.iter().any(|vector| name.eq_ignore_ascii_case(vector));
+    let single = arrays.iter().position(|(name, numbers)| *numbers <= 1 && is_vector(name));
+    Ok(single.map(Place::Vector))
+}
+
+fn spelled(arrays: &[(&str, usize)], place: &Place) -> String {
+    let names: Vec<String> = place.arrays().iter().map(|&at| format!("`{}`", arrays[at].0)).collect();
+    names.join(", ")
+}
+
+/// Takes the coordinates out of the arrays.
+pub(super) fn take(arrays: &mut Vec<Array>, place: &Place, rows: &Rows) -> Parsed<Coordinates> {
+    for &at in place.arrays() {
+        let array = &arrays[at];
+        array.usable()?;
+        if let Some(row) = array.first_empty {
+            let problem = "the cell is empty where a number is expected";
+            return Err(Problem::at(rows.place(row, &array.name), problem));
+        }
+    }
+    let coordinates = match place {
+        Place::Vector(at) => {
+            let Array { name, components, values, .. } = &arrays[*at];
+            let axis = |axis: usize| values.iter().skip(axis).step_by(*components).copied().collect();
+            let names = match components {
+                1 => vec![name.clone()],
+                _ => AXES[..*components].iter().map(|axis| format!("{name}_{axis}")).collect(),
+            };
+            Coordinates { names, values: (0..*components).map(axis).collect() }
+        }
+        Place::Columns(columns) => {
+            let (names, values) = columns
+                .iter()
+                .map(|&at| (arrays[at].name.clone(), std::mem::take(&mut arrays[at].values)))
+                .unzip();
+            Coordinates { names, values }
+        }
+    };
+    let mut number = 0;
+    arrays.retain(|_| {
+        number += 1;
+        !place.arrays().contains(&(number - 1))
+    });
+    Ok(coordinates)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn found(names: &[(&str, usize)], named: &[&str]) -> Result<Option<Vec<usize>>, String> {
+        let named: Vec<String> = named.iter().map(|&name| name.to_owned()).collect();
+        match find(names, &named) {
+            Ok(place) => Ok(place.map(|place| place.arrays().to_vec())),
+            Err(problem) => Err(problem.in_file("f").to_string()),
+        }
+    }
+
+    #[test]
+    fn programs_spell_coordinates_in_many_ways() {
+        for names in [
+            ["m", "x", "y"],
+            ["m", "X", "Y"],
+            ["m", "Points:0", "Points:1"],
+            ["m", "Points_0", "Points_1"],
+            ["m", "pos_x", "pos_y"],
+            ["m", "Pos.x", "Pos.y"],
+            ["m", "position_x", "position_y"],
+        ] {
+            assert_eq!(found(&names.map(|name| (name, 1)), &[]), Ok(Some(vec![1, 2])), "{names:?}");
+        }
+        for name in ["positions", "Coordinates", "coords", "POS"] {
+            assert_eq!(found(&[("m", 1), (name, 2)], &[]), Ok(Some(vec![1])));
+        }
+        assert_eq!(found(&[("m", 1), ("velocity_x", 1)], &[]), Ok(None));
+        assert_eq!(found(&[("x", 1), ("pos", 9), ("pos_y", 1), ("Points_1", 1)], &[]), Ok(Some(vec![0])));
+        assert!(found(&[("z", 1), ("x", 1)], &[]).unwrap_err().contains("`z` but no `y`"));
+    }
+
+    #[test]
+    fn two_sets_are_an_error_that_names_both_unless_one_is_named() {
+        let names = [("x", 1), ("y", 1), ("pos_x", 1), ("pos_y", 1), ("Points", 3)];
+        let error = found(&names, &[]).unwrap_err();
+        assert!(error.contains("`x`, `y`") && error.contains("`pos_x`, `pos_y`"), "{error}");
+        assert_eq!(found(&names, &["pos"]), Ok(Some(vec![2, 3])));
+        assert_eq!(found(&names, &["Points"]), Ok(Some(vec![4])));
+        assert_eq!(found(&names, &["y", "pos_x"]), Ok(Some(vec![1, 2])));
+        assert_eq!(found(&names, &["X [m]", "y"]), Ok(Some(vec![0, 1])));
+        for (named, part) in [(&["w"][..], "`w`"), (&["x", "x"], "two axes"), (&["x", "Points"], "3 numbers")]
+        {
+            let error = found(&names, named).unwrap_err();
+            assert!(error.contains(part), "{error}");
+        }
+    }
+}
