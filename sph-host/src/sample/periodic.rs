@@ -97,6 +97,9 @@ impl PeriodicBox {
                 .iter_mut()
                 .zip(&particles.coordinates)
                 .for_each(|(place, along)| place.push(along[particle]));
+            if self.is_inside(|axis| particles.coordinates[axis][particle]) {
+                continue;
+            }
             let own: Vec<f64> = particles.coordinates.iter().map(|along| along[particle]).collect();
             self.each_image(&own, |image| {
                 if image != own {
@@ -106,6 +109,14 @@ impl PeriodicBox {
             });
         }
         particles.taken(&origins, places)
+    }
+
+    /// Whether a particle in the box is so far from its ends that it has no images.
+    fn is_inside(&self, along: impl Fn(usize) -> f64) -> bool {
+        self.sides.iter().enumerate().all(|(axis, side)| {
+            let x = along(axis);
+            side.is_none_or(|side| x - side.lower > self.reach && side.upper - x > self.reach)
+        })
     }
 
     /// Calls `f` with each place within reach of the box where a particle is, itself among them.
