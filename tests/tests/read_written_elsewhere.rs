@@ -1,4 +1,4 @@
-//! Files written by VTK and NumPy (`fixtures/make.py` says how) give the particles that went into them.
+//! Files written by other programs (`fixtures/make.py` and `make_more.py` say how) give the particles that went into them.
 
 use sph_host::io::{PointTable, read};
 use std::path::Path;
@@ -9,13 +9,18 @@ fn fixture(name: &str) -> PointTable {
 
 /// What the five particles hold, to the bit: every value but i/10 is exact as text of any precision.
 fn check(name: &str, table: &PointTable) {
+    check_with_flag(name, table, "flag u");
+}
+
+/// The same, where the flags have this name.
+fn check_with_flag(name: &str, table: &PointTable, flag: &str) {
     let want: Vec<f64> = (0..5).map(f64::from).collect();
     let scaled = |factor: f64, shift: f64| want.iter().map(|i| i * factor + shift).collect::<Vec<_>>();
     assert_eq!(table.coordinates, [scaled(1.0, 0.0), scaled(0.5, 0.0), scaled(-0.25, 0.0)], "{name}");
     let values = |quantity: &str| table.quantity(quantity).unwrap().values.into_owned();
     assert_eq!(values("rho"), scaled(1.0, 1000.0), "{name}");
     assert_eq!(values("index"), scaled(1.0, -2.0), "{name}");
-    assert_eq!(values("flag u"), want, "{name}");
+    assert_eq!(values(flag), want, "{name}");
     assert_eq!(values("velocity_y"), scaled(-1.0, 0.0), "{name}");
     let velocity = table.quantity("velocity").unwrap();
     assert_eq!(velocity.labels, ["velocity_x", "velocity_y", "velocity_z"]);
@@ -85,4 +90,20 @@ fn every_coding_of_numpy() {
         text.contains("array `other`") && text.contains("shape [3]") && text.contains("5 points"),
         "{text}"
     );
+}
+
+#[test]
+fn every_coding_of_plyfile() {
+    for name in ["text.ply", "text_lists.ply", "little_lists.ply", "big.ply"] {
+        let table = fixture(name);
+        check_with_flag(name, &table, "flag_u");
+        let values = |quantity: &str| table.quantity(quantity).unwrap().values.into_owned();
+        let row = |f: fn(f64) -> f64| (0..5).map(|i| f(f64::from(i))).collect::<Vec<_>>();
+        assert_eq!(values("i8"), row(|i| -i), "{name}");
+        assert_eq!(values("i16"), row(|i| -300.0 * i), "{name}");
+        assert_eq!(values("u16"), row(|i| 65_535.0 - i), "{name}");
+        assert_eq!(values("u32"), row(|i| 4_294_967_295.0 - i), "{name}");
+        assert_eq!(table.array("near").is_some(), name.contains("lists"), "{name}");
+        assert_eq!(table.arrays.len(), if name.contains("lists") { 11 } else { 10 }, "{name}");
+    }
 }

@@ -5,6 +5,7 @@
 mod appended;
 pub(super) mod budget;
 mod csv;
+mod fields;
 mod legacy;
 mod legacy_arrays;
 mod legacy_text;
@@ -12,7 +13,10 @@ mod npy;
 mod npz;
 mod npz_rows;
 mod pieces;
+mod ply;
+mod ply_header;
 mod records;
+mod text_columns;
 mod text_numbers;
 mod xml;
 mod xml_arrays;
@@ -76,6 +80,8 @@ formats! {
         xml::read, None;
     [".npz"] "NumPy's archive: arrays `x`, `y`, `z`, or `pos` of N×D, stored or deflated; a single `mass` or `density` is that of all"
         npz::read, Some(npz_rows::pieces);
+    [".ply"] "the Stanford polygon format, text and binary: the element `vertex` with its scalar properties"
+        ply::read, None;
 }
 
 /// The endings of the formats that are read in pieces.
