@@ -107,3 +107,13 @@ fn every_coding_of_plyfile() {
         assert_eq!(table.arrays.len(), if name.contains("lists") { 11 } else { 10 }, "{name}");
     }
 }
+
+#[test]
+fn both_forms_of_xyz_by_ase() {
+    let table = fixture("extended.xyz");
+    check_with_flag("extended.xyz", &table, "flag_u");
+    assert_eq!(*table.quantity("odd").unwrap().values, [0.0, 1.0, 0.0, 1.0, 0.0]);
+    let text = table.quantity("species").unwrap_err().to_string();
+    assert!(text.ends_with("line 3, column `species`: `H` where a number is expected"), "{text}");
+    assert_eq!(fixture("plain.xyz").coordinates, table.coordinates);
+}

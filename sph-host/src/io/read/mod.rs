@@ -20,6 +20,7 @@ mod text_columns;
 mod text_numbers;
 mod xml;
 mod xml_arrays;
+mod xyz;
 
 use super::error::{Parsed, Problem, ReadError};
 use super::table::{Array, PointTable, Rows};
@@ -82,6 +83,8 @@ formats! {
         npz::read, Some(npz_rows::pieces);
     [".ply"] "the Stanford polygon format, text and binary: the element `vertex` with its scalar properties"
         ply::read, None;
+    [".xyz"] "XYZ of one frame, plain and extended: the columns are what `Properties` says, else `species x y z` and numbers"
+        xyz::read, None;
 }
 
 /// The endings of the formats that are read in pieces.
