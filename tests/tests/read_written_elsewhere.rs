@@ -93,6 +93,25 @@ fn every_coding_of_numpy() {
 }
 
 #[test]
+fn records_and_positions_of_numpy() {
+    for name in ["packed.npy", "aligned.npy", "big_pos.npy"] {
+        let table = fixture(name);
+        check(name, &table);
+        let values = |quantity: &str| table.quantity(quantity).unwrap().values.into_owned();
+        if name == "big_pos.npy" {
+            assert_eq!(values("h"), [0.0, 1.0, 2.0, 3.0, 4.0]);
+        } else {
+            assert_eq!(values("odd"), [0.0, 1.0, 0.0, 1.0, 0.0], "{name}");
+            let text = table.quantity("tag").unwrap_err().to_string();
+            assert!(text.contains("array `tag`: values of type <U3 where numbers are expected"), "{text}");
+        }
+    }
+    let table = fixture("positions.npy");
+    assert_eq!(table.coordinates, fixture("packed.npy").coordinates[..2]);
+    assert!(table.arrays.is_empty());
+}
+
+#[test]
 fn every_coding_of_plyfile() {
     for name in ["text.ply", "text_lists.ply", "little_lists.ply", "big.ply"] {
         let table = fixture(name);

@@ -2,6 +2,7 @@
 
 mod bombs;
 mod damage;
+mod npy;
 mod ply;
 mod round_trip;
 mod support;

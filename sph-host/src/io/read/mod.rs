@@ -9,7 +9,9 @@ mod fields;
 mod legacy;
 mod legacy_arrays;
 mod legacy_text;
+mod literal;
 mod npy;
+mod npy_file;
 mod npz;
 mod npz_rows;
 mod pieces;
@@ -81,6 +83,8 @@ formats! {
         xml::read, None;
     [".npz"] "NumPy's archive: arrays `x`, `y`, `z`, or `pos` of N×D, stored or deflated; a single `mass` or `density` is that of all"
         npz::read, Some(npz_rows::pieces);
+    [".npy"] "a single array of NumPy: records with the fields `x`, `y`, `z`, or `pos`, and others; or positions of N×D alone"
+        npy_file::read, None;
     [".ply"] "the Stanford polygon format, text and binary: the element `vertex` with its scalar properties"
         ply::read, None;
     [".xyz"] "XYZ of one frame, plain and extended: the columns are what `Properties` says, else `species x y z` and numbers"
