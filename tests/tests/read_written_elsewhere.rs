@@ -136,3 +136,20 @@ fn both_forms_of_xyz_by_ase() {
     assert!(text.ends_with("line 3, column `species`: `H` where a number is expected"), "{text}");
     assert_eq!(fixture("plain.xyz").coordinates, table.coordinates);
 }
+
+#[test]
+fn the_geometry_of_partio() {
+    let table = fixture("classic.bgeo");
+    // Partio stores 32 bits.
+    let velocity = table.quantity("velocity").unwrap();
+    let tenths: Vec<f64> = velocity.values.iter().skip(2).step_by(3).copied().collect();
+    assert_eq!(tenths, [0.0_f32, 0.1, 0.2, 0.3, 0.4].map(f64::from));
+    let mut exact = table.clone();
+    let array = exact.arrays.iter_mut().find(|array| array.name == "velocity").unwrap();
+    for (i, value) in array.values.iter_mut().skip(2).step_by(3).enumerate() {
+        *value = i as f64 / 10.0;
+    }
+    check_with_flag("classic.bgeo", &exact, "flag_u");
+    assert_eq!(*table.quantity("id").unwrap().values, [0.0, 1.0, 2.0, 3.0, 4.0]);
+    assert!(table.quantity("kind").unwrap_err().to_string().contains("array `kind`"));
+}

@@ -1,5 +1,6 @@
 //! Particle files: read back what was written; files at fault, and what every error says.
 
+mod bgeo;
 mod bombs;
 mod damage;
 mod npy;

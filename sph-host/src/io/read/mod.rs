@@ -3,6 +3,7 @@
 //! A format is one module beside this one and one line in [`FORMATS`].
 
 mod appended;
+mod bgeo;
 pub(super) mod budget;
 mod csv;
 mod fields;
@@ -89,6 +90,8 @@ formats! {
         ply::read, None;
     [".xyz"] "XYZ of one frame, plain and extended: the columns are what `Properties` says, else `species x y z` and numbers"
         xyz::read, None;
+    [".bgeo"] "Houdini's classic binary geometry of version 5, as Partio writes it: the points and their attributes"
+        bgeo::read, None;
 }
 
 /// The endings of the formats that are read in pieces.
