@@ -153,3 +153,10 @@ fn the_geometry_of_partio() {
     assert_eq!(*table.quantity("id").unwrap().values, [0.0, 1.0, 2.0, 3.0, 4.0]);
     assert!(table.quantity("kind").unwrap_err().to_string().contains("array `kind`"));
 }
+
+#[test]
+fn every_packer_of_vtk() {
+    for name in ["raw_lz4.vtu", "base64_lz4_big.vtp", "raw_lzma.vtp", "appended_base64_lzma.vtu"] {
+        check(name, &fixture(name));
+    }
+}

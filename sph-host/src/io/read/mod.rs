@@ -15,6 +15,7 @@ mod npy;
 mod npy_file;
 mod npz;
 mod npz_rows;
+mod packer;
 mod pieces;
 mod ply;
 mod ply_header;
@@ -24,6 +25,7 @@ mod text_numbers;
 mod xml;
 mod xml_arrays;
 mod xyz;
+mod xz;
 
 use super::error::{Parsed, Problem, ReadError};
 use super::table::{Array, PointTable, Rows};
@@ -80,7 +82,7 @@ formats! {
         csv::read::<b'\t'>, Some(csv::pieces::<b'\t'>);
     [".vtk"] "VTK's legacy format to version 5.1, ASCII and binary: unstructured grid, polygonal data, structured grid and points"
         legacy::read, None;
-    [".vtu", ".vtp"] "VTK's XML: ASCII, base64 and raw, inline and appended, plain and zlib"
+    [".vtu", ".vtp"] "VTK's XML: ASCII, base64 and raw, inline and appended, plain and packed by zlib, LZ4 and LZMA"
         xml::read, None;
     [".npz"] "NumPy's archive: arrays `x`, `y`, `z`, or `pos` of N×D, stored or deflated; a single `mass` or `density` is that of all"
         npz::read, Some(npz_rows::pieces);
