@@ -160,3 +160,17 @@ fn every_packer_of_vtk() {
         check(name, &fixture(name));
     }
 }
+
+#[test]
+fn pieces_in_files_of_their_own() {
+    check("parted.pvtp", &fixture("parted.pvtp"));
+    let (twice, once) = (fixture("parted.pvtu"), fixture("parted_0.vtu"));
+    check("parted_0.vtu", &once);
+    for (long, short) in twice.coordinates.iter().zip(&once.coordinates) {
+        assert_eq!(*long, short.repeat(2));
+    }
+    for name in ["velocity", "rho", "flag u"] {
+        let values = |table: &PointTable| table.quantity(name).unwrap().values.into_owned();
+        assert_eq!(values(&twice), values(&once).repeat(2), "{name}");
+    }
+}

@@ -4,6 +4,7 @@ mod bgeo;
 mod bombs;
 mod damage;
 mod npy;
+mod parted;
 mod ply;
 mod round_trip;
 mod support;

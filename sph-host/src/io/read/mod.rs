@@ -7,6 +7,7 @@ mod bgeo;
 pub(super) mod budget;
 mod csv;
 mod fields;
+mod join;
 mod legacy;
 mod legacy_arrays;
 mod legacy_text;
@@ -16,6 +17,7 @@ mod npy_file;
 mod npz;
 mod npz_rows;
 mod packer;
+mod parted;
 mod pieces;
 mod ply;
 mod ply_header;
@@ -84,6 +86,8 @@ formats! {
         legacy::read, None;
     [".vtu", ".vtp"] "VTK's XML: ASCII, base64 and raw, inline and appended, plain and packed by zlib, LZ4 and LZMA"
         xml::read, None;
+    [".pvtu", ".pvtp"] "VTK's XML that names pieces by paths beside it: `.vtu` and `.vtp`, read one after the other"
+        parted::read, None;
     [".npz"] "NumPy's archive: arrays `x`, `y`, `z`, or `pos` of N×D, stored or deflated; a single `mass` or `density` is that of all"
         npz::read, Some(npz_rows::pieces);
     [".npy"] "a single array of NumPy: records with the fields `x`, `y`, `z`, or `pos`, and others; or positions of N×D alone"
