@@ -74,7 +74,8 @@ fn headers_at_fault() {
     assert!(table("x,a,A\n1,2,3\n").is_ok(), "only special names are the same in any case");
     assert_eq!(error("x,,m\n1,2,3\n"), "line 1, column 2: the name is missing");
     assert!(error("1,2\n3,4\n").starts_with("line 1, column 1: `1` is a number"));
-    assert!(error("a;b\n").contains("no column is called `x`; there are `a;b`"));
+    assert!(error("a;b\n").contains("no column is called `x`; there are `a`, `b`"));
+    assert!(error("a b\n").contains("no column is called `x`; there are `a b`"));
     assert_eq!(error("y,m\n"), "line 1: there is a `y` but no `x`");
     assert_eq!(error("x,z\n"), "line 1: there is a `z` but no `y`");
     assert!(error(b"x,\xff\n").contains("not UTF-8"));

@@ -53,6 +53,8 @@ fn rewrite(path: &Path, bytes: &[u8]) {
 fn count(damage: impl Fn(&[u8], usize) -> Vec<u8>) -> (usize, usize) {
     let folder = tempfile::tempdir().unwrap();
     let (mut tables, mut errors) = (0, 0);
+    // What a file names beside it is whole.
+    fixtures().iter().for_each(|(name, bytes)| rewrite(&folder.path().join(name), bytes));
     for (name, bytes) in fixtures() {
         let path = folder.path().join(&name);
         let stride = bytes.len() / 60 + 1;
@@ -67,6 +69,7 @@ fn count(damage: impl Fn(&[u8], usize) -> Vec<u8>) -> (usize, usize) {
                 }
             }
         }
+        rewrite(&path, &bytes);
     }
     (tables, errors)
 }
@@ -121,6 +124,7 @@ fn damaged_at_random() {
     let mut random = Random(1);
     let (mut tables, mut errors) = (0, 0);
     let fixtures = fixtures();
+    fixtures.iter().for_each(|(name, bytes)| rewrite(&folder.path().join(name), bytes));
     for (name, bytes) in &fixtures {
         let path = folder.path().join(name);
         // So many of a format, whatever its number of fixtures.
@@ -143,6 +147,7 @@ fn damaged_at_random() {
                 assert!(pieces.iter().all(|piece| piece.arrays.len() == whole.arrays.len()));
             }
         }
+        rewrite(&path, bytes);
     }
     assert!(tables > 100 && errors > 1000, "{tables} read, {errors} refused");
 }

@@ -12,7 +12,7 @@
 //! What is wrong with an array that nobody uses does no harm: text among the numbers, too few of them, a length that is
 //! not that of the points, damage. The array carries its [`Fault`], and asking for it by [`PointTable::quantity`] is the
 //! error. Whether values are finite or positive is asked when they are used, by [`PointTable::require_finite`] and
-//! [`PointTable::require_positive`]. Checksums (`.npz`, zlib) are compared to the last byte.
+//! [`PointTable::require_positive`]. Checksums (`.npz`, zlib, LZMA) are compared to the last byte; LZ4 in VTK's files has none.
 //!
 //! NaN and infinity may be spelled as C, C++ and Fortran programs print them (`-nan(ind)`, `1.#INF`). An empty cell of a
 //! text table is no value: NaN, and called empty where a number is wanted. An array without any number (text, empty cells,

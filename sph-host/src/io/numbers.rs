@@ -70,6 +70,57 @@ impl Stored {
             }
         }
     }
+
+    /// Appends `components` numbers that stand at byte `offset` of each record of `length` bytes; bits do not stand so.
+    pub(super) fn gather(
+        self,
+        records: &[u8],
+        place: (usize, usize),
+        endian: Endian,
+        components: usize,
+        out: &mut Vec<f64>,
+    ) {
+        macro_rules! each {
+            ($type:ty, $value:expr) => {
+                match endian {
+                    Endian::Little => {
+                        gather(records, place, components, out, |bytes| $value(<$type>::from_le_bytes(bytes)))
+                    }
+                    Endian::Big => {
+                        gather(records, place, components, out, |bytes| $value(<$type>::from_be_bytes(bytes)))
+                    }
+                }
+            };
+        }
+        match self {
+            Self::Bit => {}
+            Self::I8 => each!(i8, f64::from),
+            Self::U8 => each!(u8, f64::from),
+            Self::I16 => each!(i16, f64::from),
+            Self::U16 => each!(u16, f64::from),
+            Self::I32 => each!(i32, f64::from),
+            Self::U32 => each!(u32, f64::from),
+            Self::I64 => each!(i64, |v| v as f64),
+            Self::U64 => each!(u64, |v| v as f64),
+            Self::F16 => each!(f16, f64::from),
+            Self::F32 => each!(f32, f64::from),
+            Self::F64 => each!(f64, |v| v),
+        }
+    }
+}
+
+/// Appends `components` numbers at byte `offset` of each record of `length` bytes.
+fn gather<const N: usize>(
+    records: &[u8],
+    (length, offset): (usize, usize),
+    components: usize,
+    out: &mut Vec<f64>,
+    value: impl Fn([u8; N]) -> f64,
+) {
+    for record in records.chunks_exact(length) {
+        let (numbers, _) = record.get(offset..).unwrap_or_default().as_chunks();
+        out.extend(numbers.iter().take(components).map(|&bytes| value(bytes)));
+    }
 }
 
 /// The number that `text` spells in full, correctly rounded: decimal with an optional exponent, or one of the spellings

@@ -147,8 +147,15 @@ fn alone(arrays: &[(&str, usize)]) -> Parsed<Option<Place>> {
         return Err(Problem::position(format!("there is a `{axis}` but no `{missing}`")));
     }
     let is_vector = |name: &str| VECTORS.iter().any(|vector| name.eq_ignore_ascii_case(vector));
-    let single = arrays.iter().position(|(name, numbers)| *numbers <= 1 && is_vector(name));
-    Ok(single.map(Place::Vector))
+    match arrays.iter().position(|(name, _)| is_vector(name)) {
+        Some(at) if arrays[at].1 > 3 => {
+            let (name, numbers) = arrays[at];
+            Err(Problem::position(format!(
+                "`{name}` has {numbers} numbers a point, where 1 to 3 are expected"
+            )))
+        }
+        found => Ok(found.map(Place::Vector)),
+    }
 }
 
 fn spelled(arrays: &[(&str, usize)], place: &Place) -> String {
@@ -161,6 +168,10 @@ pub(super) fn take(arrays: &mut Vec<Array>, place: &Place, rows: &Rows) -> Parse
     for &at in place.arrays() {
         let array = &arrays[at];
         array.usable()?;
+        if matches!(place, Place::Columns(_)) && array.components != 1 {
+            let problem = format!("{} numbers a point, where one is expected", array.components);
+            return Err(Problem::at(format!("array `{}`", array.name), problem));
+        }
         if let Some(row) = array.first_empty {
             let problem = "the cell is empty where a number is expected";
             return Err(Problem::at(rows.place(row, &array.name), problem));

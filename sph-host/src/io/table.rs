@@ -17,6 +17,8 @@ pub struct PointTable {
     /// What the file calls the coordinate along each axis.
     pub(super) axes: Vec<String>,
     pub(super) rows: Rows,
+    /// Whether the coordinates were found among the arrays.
+    pub(super) is_placed: bool,
 }
 
 /// One array of a [`PointTable`].
@@ -138,14 +140,28 @@ impl PointTable {
     pub(super) fn assemble(coordinates: Vec<Vec<f64>>, mut arrays: Vec<Array>, rows: Rows) -> Parsed<Self> {
         drop_units(&mut arrays);
         let names = AXES.iter().take(coordinates.len()).map(|&axis| axis.to_owned()).collect();
-        Self { source: String::new(), coordinates: Vec::new(), arrays, axes: Vec::new(), rows }
-            .at(Coordinates { names, values: coordinates })
+        Self {
+            source: String::new(),
+            coordinates: Vec::new(),
+            arrays,
+            axes: Vec::new(),
+            rows,
+            is_placed: false,
+        }
+        .at(Coordinates { names, values: coordinates })
     }
 
     /// A table of arrays of which some are the coordinates: those that `named` names, or those of usual names.
     pub(super) fn of_arrays(mut arrays: Vec<Array>, rows: Rows, named: &[String]) -> Parsed<Self> {
         drop_units(&mut arrays);
-        let table = Self { source: String::new(), coordinates: Vec::new(), arrays, axes: Vec::new(), rows };
+        let table = Self {
+            source: String::new(),
+            coordinates: Vec::new(),
+            arrays,
+            axes: Vec::new(),
+            rows,
+            is_placed: false,
+        };
         table.placed(named)
     }
 
@@ -171,6 +187,7 @@ impl PointTable {
         };
         let place = place.map_err(located)?;
         let coordinates = position::take(&mut self.arrays, &place, &self.rows).map_err(located)?;
+        self.is_placed = true;
         self.at(coordinates)
     }
 

@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use zip::CompressionMethod;
 
-use crate::support::{archive, npy, read, unusable};
+use crate::support::{archive, npy, read, refused, unusable};
 
 /// A watchdog, no measure of speed: each takes seconds on any machine, and hours where the time grows as the square of the file.
 const HANG: Duration = Duration::from_secs(300);
@@ -122,4 +122,53 @@ fn names_that_are_missing_are_made_up_in_time() {
     );
     let table = without_hanging(move || read("p.vtp", text));
     assert!(table.arrays.last().unwrap().name.ends_with("____"));
+}
+
+/// A megabyte of zeros in 24 bytes: LZ4 says how little it can hold before a byte is unpacked.
+#[test]
+fn blocks_of_lz4_that_claim_more_than_they_can_hold_are_refused() {
+    let claimed = 1_048_576_usize;
+    let mut bytes = format!(
+        "<VTKFile type=\"PolyData\" compressor=\"vtkLZ4DataCompressor\"><PolyData><Piece NumberOfPoints=\"{}\"><Points>\
+         <DataArray type=\"UInt8\" NumberOfComponents=\"4096\" format=\"appended\" offset=\"0\"/></Points></Piece></PolyData>\
+         <AppendedData encoding=\"raw\">_",
+        claimed / 4096
+    )
+    .into_bytes();
+    for size in [1, claimed, 0, 24] {
+        bytes.extend((size as u32).to_le_bytes());
+    }
+    bytes.extend([0; 24]);
+    // Room, so that the file as a whole could hold what is claimed.
+    bytes.extend([b' '; 2000]);
+    let message = refused("p.vtp", bytes);
+    assert!(message.contains("block 0 of 1 has 24 packed bytes, which cannot hold 1048576"), "{message}");
+}
+
+#[test]
+fn headers_of_numpy_are_not_deeper_than_they_need_to_be() {
+    for open in ["(", "[", "{'a':"] {
+        let mut bytes = npy("(1, 1)", &[]);
+        let text = String::from_utf8_lossy(&bytes[10..]).replace("'<f8'", &open.repeat(10_000));
+        bytes.truncate(8);
+        bytes.extend((text.len() as u16).to_le_bytes());
+        bytes.extend(text.as_bytes());
+        let message = without_hanging(move || refused("p.npy", bytes));
+        assert!(message.contains("is not one of NumPy"), "{message}");
+    }
+}
+
+/// A million elements, lists and words that cost nothing to declare.
+#[test]
+fn declarations_of_text_formats_are_no_more_than_they_are_worth() {
+    let elements = "element a 1\n".repeat(1_000_000);
+    let message =
+        without_hanging(move || refused("p.ply", format!("ply\nformat ascii 1.0\n{elements}end_header\n")));
+    assert!(message.contains("line 4099: 4097 arrays or more, where at most 4096 are read"), "{message}");
+    let columns = "a:R:1:".repeat(1_000_000);
+    let message = without_hanging(move || refused("p.xyz", format!("0\nProperties={columns}b:R:1\n")));
+    assert!(message.contains("line 2: 1000001 arrays or more, where at most 4096 are read"), "{message}");
+    let words = "1 ".repeat(1_000_000);
+    let message = without_hanging(move || refused("p.xyz", format!("1\n\n{words}\n")));
+    assert!(message.contains("line 3: 1000000 arrays or more, where at most 4096 are read"), "{message}");
 }

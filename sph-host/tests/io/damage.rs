@@ -70,13 +70,18 @@ fn no_flipped_bit_in_an_archive_changes_a_number() {
 }
 
 #[test]
-fn no_flipped_bit_in_a_zlib_block_changes_a_number() {
+fn no_flipped_bit_in_a_packed_block_changes_a_number() {
+    no_flipped_bit_changes_a_number("raw_zlib.vtu");
+    no_flipped_bit_changes_a_number("raw_lzma.vtp");
+}
+
+fn no_flipped_bit_changes_a_number(fixture: &str) {
     let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/fixtures");
-    let bytes = std::fs::read(folder.join("raw_zlib.vtu")).unwrap();
+    let bytes = std::fs::read(folder.join(fixture)).unwrap();
     let text = String::from_utf8_lossy(&bytes);
     let start = bytes.windows(2).position(|pair| pair == b">_").filter(|_| text.contains("AppendedData"));
     let start = start.or_else(|| bytes.windows(4).position(|w| w == b"   _").map(|at| at + 2)).unwrap() + 2;
-    let file = File::new("p.vtu", &bytes);
+    let file = File::new(fixture, &bytes);
     let whole = file.read().unwrap();
     let names: Vec<String> = whole.default_quantities();
     let mut refused = 0;

@@ -41,7 +41,7 @@ pub(super) fn read(file: &InputFile) -> Parsed<PointTable> {
         let Some(word) = reader.cursor.word_behind_metadata() else { break };
         reader.block(word, place)?;
     }
-    reader.finish(file)
+    reader.finish()
 }
 
 impl<'a> Reader<'a> {
@@ -254,15 +254,15 @@ impl<'a> Reader<'a> {
         Ok(())
     }
 
-    fn finish(self, file: &InputFile) -> Parsed<PointTable> {
+    fn finish(self) -> Parsed<PointTable> {
         let count = self.point_count();
         match (self.points, self.image) {
-            (Some(points), None) => from_vtk(&points, self.arrays, file),
+            (Some(points), None) => from_vtk(&points, self.arrays),
             // The counts are claims; an array with one number a point makes them good.
             (None, Some(image)) if self.arrays.iter().any(|array| array.values.len() >= count) => {
                 // Coordinates point by point, then axis by axis.
                 self.cursor.budget.grow(count.saturating_mul(6)).map_err(Problem::new)?;
-                from_vtk(&image.points(count), self.arrays, file)
+                from_vtk(&image.points(count), self.arrays)
             }
             (None, Some(_)) => {
                 // An array at fault says what is wrong.

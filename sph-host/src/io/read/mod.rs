@@ -3,19 +3,31 @@
 //! A format is one module beside this one and one line in [`FORMATS`].
 
 mod appended;
+mod bgeo;
 pub(super) mod budget;
 mod csv;
+mod fields;
+mod join;
 mod legacy;
 mod legacy_arrays;
 mod legacy_text;
+mod literal;
 mod npy;
+mod npy_file;
 mod npz;
 mod npz_rows;
+mod packer;
+mod parted;
 mod pieces;
+mod ply;
+mod ply_header;
 mod records;
+mod text_columns;
 mod text_numbers;
 mod xml;
 mod xml_arrays;
+mod xyz;
+mod xz;
 
 use super::error::{Parsed, Problem, ReadError};
 use super::input_file::InputFile;
@@ -78,10 +90,20 @@ formats! {
         csv::read::<b'\t'>, Some(csv::pieces::<b'\t'>);
     [".vtk"] "VTK's legacy format to version 5.1, ASCII and binary: unstructured grid, polygonal data, structured grid and points"
         legacy::read, None;
-    [".vtu", ".vtp"] "VTK's XML: ASCII, base64 and raw, inline and appended, plain and zlib"
+    [".vtu", ".vtp"] "VTK's XML: ASCII, base64 and raw, inline and appended, plain and packed by zlib, LZ4 and LZMA"
         xml::read, None;
+    [".pvtu", ".pvtp"] "VTK's XML that names pieces by paths beside it: `.vtu` and `.vtp`, read one after the other"
+        parted::read, None;
     [".npz"] "NumPy's archive: arrays `x`, `y`, `z`, or `pos`, `positions`, `coordinates` of N×D, stored or deflated; a single `mass` or `density` is that of all"
         npz::read, Some(npz_rows::pieces);
+    [".npy"] "a single array of NumPy: records with the fields `x`, `y`, `z`, or `pos`, and others; or positions of N×D alone"
+        npy_file::read, None;
+    [".ply"] "the Stanford polygon format, text and binary: the element `vertex` with its scalar properties"
+        ply::read, None;
+    [".xyz"] "XYZ of one frame, plain and extended: the columns are what `Properties` says, else `species x y z` and numbers"
+        xyz::read, None;
+    [".bgeo"] "Houdini's classic binary geometry of version 5, as Partio writes it: the points and their attributes"
+        bgeo::read, None;
 }
 
 /// The endings of the formats that are read in pieces.
@@ -108,7 +130,9 @@ pub(super) fn whole(format: &Format, file: &InputFile) -> Parsed<PointTable> {
     if file.skip_lines > 0 && !format.is_text_table() {
         return Err(Problem::new("lines are skipped in text tables (.csv, .tsv) alone"));
     }
-    (format.read)(file)
+    let table = (format.read)(file)?;
+    // formats that have coordinates of their own know nothing of names
+    if file.position.is_empty() || table.is_placed { Ok(table) } else { table.placed(&file.position) }
 }
 
 /// Refuses a device, which may never end, and a pipe unless it may be one. `expected` says what can be read.
@@ -175,9 +199,8 @@ fn foreign(start: &[u8]) -> Option<&'static str> {
     known.iter().find(|(first, _)| start.starts_with(first)).map(|&(_, what)| what)
 }
 
-/// A table of VTK: three coordinates a point, one point after the other, unless others are named.
-fn from_vtk(points: &[f64], arrays: Vec<Array>, file: &InputFile) -> Parsed<PointTable> {
+/// A table of VTK: three coordinates a point, one point after the other.
+fn from_vtk(points: &[f64], arrays: Vec<Array>) -> Parsed<PointTable> {
     let axis = |axis: usize| points.iter().skip(axis).step_by(3).copied().collect();
-    let table = PointTable::assemble(vec![axis(0), axis(1), axis(2)], arrays, Rows::points())?;
-    if file.position.is_empty() { Ok(table) } else { table.placed(&file.position) }
+    PointTable::assemble(vec![axis(0), axis(1), axis(2)], arrays, Rows::points())
 }

@@ -4,6 +4,7 @@
 //! with the keys `descr`, `fortran_order` and `shape`.
 
 use super::budget::{Budget, MOST_DIMENSIONS, MOST_HEADER};
+use super::literal::Literal;
 use crate::io::error::{counted, shown};
 use crate::io::numbers::{Endian, Stored};
 use std::io::Read;
@@ -13,6 +14,8 @@ use std::io::Read;
 pub(super) struct Header {
     /// The type as NumPy spells it.
     pub descr: String,
+    /// The fields of records, each a name and a type, if the values are such.
+    pub fields: Option<Literal>,
     pub fortran_order: bool,
     pub shape: Vec<usize>,
 }
@@ -54,51 +57,28 @@ impl Header {
     }
 
     fn parse(text: &str) -> Option<Self> {
-        let value = |key: &str| {
-            let (_, rest) = text.split_once(&format!("'{key}'"))?;
-            Some(rest.trim_start().strip_prefix(':')?.trim_start())
+        let header = Literal::parse(text)?;
+        let (descr, fields) = match header.get("descr")? {
+            Literal::Text(name) => (name.clone(), None),
+            fields => ("of several fields".to_owned(), Some(fields.clone())),
         };
-        let descr = value("descr")?;
-        let descr = match descr.strip_prefix('\'') {
-            Some(name) => name.split_once('\'')?.0,
-            None => "of several fields",
-        };
-        let order = value("fortran_order")?;
-        let fortran_order = order.starts_with("True");
-        let (shape, _) = value("shape")?.strip_prefix('(')?.split_once(')')?;
-        let lengths = shape.split(',').map(str::trim).filter(|length| !length.is_empty());
-        // Python 2 writes long integers as 3L.
-        let shape = lengths.map(|length| length.trim_end_matches('L').parse().ok()).collect::<Option<_>>()?;
-        (fortran_order || order.starts_with("False")).then(|| Self {
-            descr: descr.to_owned(),
-            fortran_order,
-            shape,
-        })
+        let &Literal::Truth(fortran_order) = header.get("fortran_order")? else { return None };
+        let shape = header.get("shape")?.numbers()?;
+        Some(Self { descr, fields, fortran_order, shape })
     }
 
     /// How the numbers are stored, `None` if they are no real numbers.
     pub(super) fn stored(&self) -> Option<(Stored, Endian)> {
-        let (order, kind) = self.descr.split_at_checked(1)?;
-        let endian = match order {
-            ">" => Endian::Big,
-            "<" | "|" => Endian::Little,
-            _ => return None,
-        };
-        let stored = match kind {
-            "b1" | "u1" => Stored::U8,
-            "i1" => Stored::I8,
-            "i2" => Stored::I16,
-            "u2" => Stored::U16,
-            "i4" => Stored::I32,
-            "u4" => Stored::U32,
-            "i8" => Stored::I64,
-            "u8" => Stored::U64,
-            "f2" => Stored::F16,
-            "f4" => Stored::F32,
-            "f8" => Stored::F64,
-            _ => return None,
-        };
-        Some((stored, endian))
+        stored(&self.descr)
+    }
+
+    /// Says why there are no numbers.
+    pub(super) fn refusal(&self) -> String {
+        if self.fields.is_none() {
+            return format!("values of type {} where numbers are expected", self.descr);
+        }
+        "records of several fields, where numbers are expected: each field is to be an array of its own"
+            .to_owned()
     }
 
     /// The numbers in C order, whose bytes are `data`.
@@ -140,6 +120,31 @@ impl Header {
     }
 }
 
+/// How numbers of the type that NumPy spells so are stored, `None` if they are no real numbers.
+pub(super) fn stored(descr: &str) -> Option<(Stored, Endian)> {
+    let (order, kind) = descr.split_at_checked(1)?;
+    let endian = match order {
+        ">" => Endian::Big,
+        "<" | "|" => Endian::Little,
+        _ => return None,
+    };
+    let stored = match kind {
+        "b1" | "u1" => Stored::U8,
+        "i1" => Stored::I8,
+        "i2" => Stored::I16,
+        "u2" => Stored::U16,
+        "i4" => Stored::I32,
+        "u4" => Stored::U32,
+        "i8" => Stored::I64,
+        "u8" => Stored::U64,
+        "f2" => Stored::F16,
+        "f4" => Stored::F32,
+        "f8" => Stored::F64,
+        _ => return None,
+    };
+    Some((stored, endian))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -147,7 +152,7 @@ mod tests {
     #[test]
     fn headers_of_every_version() {
         let text = "{'descr': '>f4', 'fortran_order': True, 'shape': (2, 3L), }\n";
-        let want = Header { descr: ">f4".to_owned(), fortran_order: true, shape: vec![2, 3] };
+        let want = Header { descr: ">f4".to_owned(), fields: None, fortran_order: true, shape: vec![2, 3] };
         for version in 1..=3u8 {
             let mut file = b"\x93NUMPY".to_vec();
             file.extend([version, 0]);
@@ -175,15 +180,20 @@ mod tests {
 
     #[test]
     fn shapes_that_overflow_are_refused() {
-        let header =
-            Header { descr: "<f8".to_owned(), fortran_order: false, shape: vec![1 << 32, 1 << 32, 2] };
+        let header = Header {
+            descr: "<f8".to_owned(),
+            fields: None,
+            fortran_order: false,
+            shape: vec![1 << 32, 1 << 32, 2],
+        };
         assert!(header.numbers((Stored::F64, Endian::Little), &[], &Budget::of_file(1)).is_err());
         assert!(Header::parse("{'descr': '<f8', 'fortran_order': False, 'shape': (-1,), }").is_none());
     }
 
     #[test]
     fn fortran_order_is_turned_round() {
-        let header = Header { descr: "|u1".to_owned(), fortran_order: true, shape: vec![2, 3, 2] };
+        let header =
+            Header { descr: "|u1".to_owned(), fields: None, fortran_order: true, shape: vec![2, 3, 2] };
         let bytes: Vec<u8> = (0..12).collect();
         let values = header.numbers((Stored::U8, Endian::Little), &bytes, &Budget::of_file(12)).unwrap();
         // Element (i, j, k) lies at i + 2 j + 6 k.

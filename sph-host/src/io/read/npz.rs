@@ -121,7 +121,7 @@ fn array(file: &mut impl Read, size: u64, packed: u64, budget: &Budget) -> Resul
     let (header, data) = Header::split(&bytes)?;
     let values = match header.stored() {
         Some((stored, endian)) => Ok(header.numbers((stored, endian), data, budget)?),
-        None => Err(Unusable::other(format!("values of type {} where numbers are expected", header.descr))),
+        None => Err(Unusable::other(header.refusal())),
     };
     Ok((header.shape, values))
 }

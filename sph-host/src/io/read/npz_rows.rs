@@ -155,10 +155,7 @@ impl Rows {
 impl Content {
     fn of(header: Header, bytes: CrcReader<Box<dyn Read>>, checksum: u32) -> Self {
         match header.stored() {
-            None => Self::Unusable(Unusable::other(format!(
-                "values of type {} where numbers are expected",
-                header.descr
-            ))),
+            None => Self::Unusable(Unusable::other(header.refusal())),
             Some(_) if header.fortran_order && header.shape.len() > 1 => Self::Unusable(Unusable::numbers(
                 "columns one after the other (fortran_order) cannot be read some rows at a time",
             )),

@@ -4,6 +4,7 @@
 
 use super::appended::from_base64;
 use super::budget::Budget;
+use super::join::Joined;
 use super::text_numbers::{TextNumbers, required};
 use super::xml_arrays::{Content, DataArray, Form, Layout, layout};
 use super::{bytes, from_vtk};
@@ -14,8 +15,12 @@ use std::borrow::Cow;
 
 /// Reads unstructured grids and polygonal data.
 pub(super) fn read(file: &InputFile) -> Parsed<PointTable> {
-    let bytes = bytes(&file.path)?;
-    let layout = layout(&bytes)?;
+    parse(&bytes(&file.path)?)
+}
+
+/// The table of a file of these bytes.
+pub(super) fn parse(bytes: &[u8]) -> Parsed<PointTable> {
+    let layout = layout(bytes)?;
     if layout.pieces.is_empty() {
         return Err(Problem::new("there is no Piece, or the file is cut short"));
     }
@@ -30,42 +35,19 @@ pub(super) fn read(file: &InputFile) -> Parsed<PointTable> {
         }
         points.extend(read);
     }
-    from_vtk(&points, layout.arrays(), file)
+    from_vtk(&points, layout.arrays())
 }
 
 impl Layout<'_> {
-    /// The arrays of all pieces one after the other, each with a fault where a piece has not the same.
+    /// The arrays of all pieces one after the other.
     fn arrays(&self) -> Vec<Array> {
-        // Pieces without points declare what they would have: they count where all are so.
-        let filled = self.pieces.iter().position(|piece| piece.points > 0);
-        let mut arrays: Vec<Array> = Vec::new();
-        let mut first = 0;
-        for (index, piece) in
-            self.pieces.iter().enumerate().filter(|(_, piece)| piece.points > 0 || filled.is_none())
-        {
-            let known = arrays.len();
-            let mut is_there = vec![false; known];
-            for declared in &piece.arrays {
-                let read = self.array(&declared.name, declared, piece.points, first);
-                let same = (0..known).find(|&at| !is_there[at] && arrays[at].name == declared.name);
-                match same {
-                    Some(at) => {
-                        is_there[at] = true;
-                        append(&mut arrays[at], read, index);
-                    }
-                    // Two of one name in a piece are found when the table is assembled.
-                    None if first == 0 => arrays.push(read),
-                    None => arrays.push(missing(&read.name, filled.unwrap_or(0))),
-                }
-            }
-            let absent =
-                arrays.iter_mut().zip(&is_there).filter(|(array, there)| !**there && array.fault.is_none());
-            for (array, _) in absent {
-                *array = missing(&array.name, index);
-            }
-            first += piece.points;
+        let mut joined = Joined::default();
+        for (index, piece) in self.pieces.iter().enumerate() {
+            let first = joined.points();
+            let read = |declared: &DataArray<'_>| self.array(&declared.name, declared, piece.points, first);
+            joined.add(index, piece.points, piece.arrays.iter().map(read));
         }
-        arrays
+        joined.arrays
     }
 
     /// What `declared` holds at `points` points, of which the first has the number `first`.
@@ -120,30 +102,6 @@ impl Layout<'_> {
         self.budget.decode(text.len())?;
         from_base64(text).map(Cow::Owned)
     }
-}
-
-/// Appends to `array` what piece `index` has of it.
-fn append(array: &mut Array, read: Array, index: usize) {
-    if array.fault.is_some() {
-        return;
-    }
-    if read.fault.is_none() && read.components != array.components {
-        let (found, before) = (read.components, array.components);
-        let problem = format!(
-            "piece {index} has {} a point, where the pieces before have {before}",
-            counted(found, "number")
-        );
-        *array = Array::unusable(read.name, Unusable::numbers(problem));
-    } else if read.fault.is_some() {
-        *array = read;
-    } else {
-        array.extend(read.values);
-    }
-}
-
-/// The array `name`, which the piece with this number has not.
-fn missing(name: &str, piece: usize) -> Array {
-    Array::unusable(name, Unusable::numbers(format!("piece {piece} has no such array")))
 }
 
 /// `count` numbers of `text`, which has no more.

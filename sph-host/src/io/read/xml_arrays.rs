@@ -2,6 +2,7 @@
 
 use super::appended::Packing;
 use super::budget::{Budget, refuse_many, refuse_wide};
+use super::packer::Packer;
 use crate::io::error::{Parsed, Problem, shown};
 use crate::io::names::fill_empty_names;
 use crate::io::numbers::{Endian, Stored};
@@ -72,7 +73,7 @@ pub(super) fn layout(bytes: &[u8]) -> Parsed<Layout<'_>> {
         Err(error) => std::str::from_utf8(&bytes[..error.valid_up_to()]).unwrap_or_default(),
     };
     let mut reader = Reader::from_str(text);
-    let packing = Packing { endian: Endian::Little, wide: false, zlib: false };
+    let packing = Packing { endian: Endian::Little, wide: false, packer: None };
     let budget = Budget::of_file(bytes.len() as u64);
     let layout = Layout { packing, pieces: Vec::new(), appended: None, offsets: Vec::new(), budget };
     let mut parser = Parser { layout, section: Section::Other, open: None };
@@ -116,7 +117,7 @@ pub(super) fn layout(bytes: &[u8]) -> Parsed<Layout<'_>> {
 }
 
 /// The attribute called `name`.
-fn attribute<'a>(tag: &'a BytesStart<'_>, name: &str) -> Result<Option<Cow<'a, str>>, String> {
+pub(super) fn attribute<'a>(tag: &'a BytesStart<'_>, name: &str) -> Result<Option<Cow<'a, str>>, String> {
     let attribute = tag.try_get_attribute(name).map_err(|error| format!("attribute {name}: {error}"))?;
     let value = attribute.map(|attribute| attribute.normalized_value(quick_xml::XmlVersion::Implicit1_0));
     value.transpose().map_err(|error| format!("attribute {name}: {error}"))
@@ -151,15 +152,11 @@ impl<'a> Parser<'a> {
             Some("UInt64") => true,
             Some(other) => return Err(format!("header_type {} is unknown", shown(other.as_bytes()))),
         };
-        packing.zlib = match attribute(tag, "compressor")?.as_deref() {
-            None | Some("") => false,
-            Some("vtkZLibDataCompressor") => true,
-            Some(other) => {
-                return Err(format!(
-                    "compressor {} where vtkZLibDataCompressor is expected",
-                    shown(other.as_bytes())
-                ));
-            }
+        packing.packer = match attribute(tag, "compressor")?.as_deref() {
+            None | Some("") => None,
+            Some(name) => Some(Packer::named(name).ok_or_else(|| {
+                format!("compressor {} where {} is expected", shown(name.as_bytes()), Packer::NAMES)
+            })?),
         };
         Ok(())
     }
