@@ -22,6 +22,20 @@ pub enum ReadError {
         /// The file's name as given.
         file: String,
     },
+    /// A group was named for a file that has none. The file has not been looked at.
+    #[error("{file}: a file with this ending has no groups; one of {} has", list(&super::GROUPED))]
+    NoGroups {
+        /// The file's name as given.
+        file: String,
+    },
+    /// Several groups hold particles, and none was named.
+    #[error("{file}: several groups hold particles: {sets}")]
+    SeveralSets {
+        /// The file's name as given.
+        file: String,
+        /// What they are called, with commas between.
+        sets: String,
+    },
     /// The name belongs to a pipe or a device.
     #[error("{file}: this is {found}; {expected}")]
     NotAFile {
@@ -57,6 +71,7 @@ pub enum ReadError {
 pub(super) enum Problem {
     Io(io::Error),
     NotAFile { found: &'static str, expected: &'static str },
+    SeveralSets { sets: String },
     Invalid { at: Option<String>, problem: String },
 }
 
@@ -87,6 +102,7 @@ impl Problem {
         match self {
             Self::Io(source) => ReadError::Io { file, source },
             Self::NotAFile { found, expected } => ReadError::NotAFile { file, found, expected },
+            Self::SeveralSets { sets } => ReadError::SeveralSets { file, sets },
             Self::Invalid { at, problem } => ReadError::Invalid { file, at, problem },
         }
     }

@@ -4,6 +4,9 @@
 //! one or more numbers a point. Nothing here knows what the numbers mean beyond the special names: `x`, `y`, `z` are
 //! coordinates, `m` or `mass` the mass, `rho` or `density` the density, in any case of letters.
 //!
+//! A file of HDF5 may hold several sets of particles: [`read_group`] takes one by its name. What it says of its units is in
+//! [`PointTable::notes`], and is not applied.
+//!
 //! [`FORMATS`] lists what is read. [`Pieces`] reads some of them a few points at a time, for files larger than memory.
 //!
 //! What is wrong with an array that nobody uses does no harm: text among the numbers, too few of them, a length that is
@@ -42,6 +45,6 @@ mod table;
 pub use error::ReadError;
 pub(crate) use error::unknown_ending;
 pub use quantity::Quantity;
-pub use read::{ENDINGS, FORMATS, Format, Pieces, read};
+pub use read::{ENDINGS, FORMATS, Format, GROUPED, Pieces, read, read_group};
 pub(crate) use table::fill_empty_names;
 pub use table::{Array, Fault, PointTable};

@@ -31,6 +31,8 @@ pub struct PointTable {
     pub coordinates: Vec<Vec<f64>>,
     /// All other arrays of the points, in the file's order.
     pub arrays: Vec<Array>,
+    /// What a person should know of the file, a line each: the units that it names, which are not applied.
+    pub notes: Vec<String>,
     pub(super) rows: Rows,
 }
 
@@ -174,7 +176,7 @@ impl PointTable {
         if !(1..=3).contains(&coordinates.len()) {
             return Err(Problem::new(format!("1 to 3 dimensions expected, not {}", coordinates.len())));
         }
-        let table = Self { source: String::new(), coordinates, arrays, rows };
+        let table = Self { source: String::new(), coordinates, arrays, notes: Vec::new(), rows };
         let points = table.len();
         if let Some(axis) = table.coordinates.iter().position(|axis| axis.len() != points) {
             let (name, length) = (AXES[axis], table.coordinates[axis].len());

@@ -2,6 +2,7 @@
 
 mod bombs;
 mod damage;
+mod hdf5;
 mod round_trip;
 mod support;
 mod unused;

@@ -5,6 +5,10 @@
 mod appended;
 pub(super) mod budget;
 mod csv;
+mod hdf5;
+mod hdf5_arrays;
+mod hdf5_sets;
+mod hdf5_units;
 mod legacy;
 mod legacy_arrays;
 mod legacy_text;
@@ -76,7 +80,12 @@ formats! {
         xml::read, None;
     [".npz"] "NumPy's archive: arrays `x`, `y`, `z`, or `pos` of N×D, stored or deflated; a single `mass` or `density` is that of all"
         npz::read, Some(npz_rows::pieces);
+    [".h5", ".hdf5"] "HDF5 of PySPH, Gadget, SWIFT, AREPO and the like: a group with arrays `x`, `y`, `z`, or `Coordinates` or `pos` of N×D"
+        |path| hdf5::read(path, None), None;
 }
+
+/// The endings of the files that have groups.
+pub const GROUPED: [&str; 2] = hdf5::ENDINGS;
 
 /// The endings of the formats that are read in pieces.
 pub(super) fn endings_in_pieces() -> impl Iterator<Item = &'static &'static str> {
@@ -93,12 +102,26 @@ fn format_of(path: &Path) -> Option<&'static Format> {
 ///
 /// # Errors
 /// [`ReadError::UnknownEnding`] before the file is looked at; [`ReadError::NotAFile`] for a device, and for a pipe where a
-/// format needs more than one pass; [`ReadError::Io`] when the system would not give its bytes; [`ReadError::Invalid`]
-/// when its content is at fault.
+/// format needs more than one pass; [`ReadError::Io`] when the system would not give its bytes; [`ReadError::SeveralSets`]
+/// when several groups hold particles; [`ReadError::Invalid`] when its content is at fault.
 pub fn read(path: &Path) -> Result<PointTable, ReadError> {
+    read_group(path, None)
+}
+
+/// As [`read`], of the particles of one group of a file that has several: PySPH's name of the set, such as `fluid`, or the
+/// place of the group in the file, such as `PartType1`. Without a name, `PartType0`, or else the only group with particles.
+///
+/// # Errors
+/// As [`read`]; [`ReadError::NoGroups`] for a name where the format has no groups.
+pub fn read_group(path: &Path, group: Option<&str>) -> Result<PointTable, ReadError> {
     let file = path.display().to_string();
     let Some(format) = format_of(path) else { return Err(ReadError::UnknownEnding { file }) };
-    match (format.read)(path) {
+    let table = match group {
+        None => (format.read)(path),
+        Some(_) if format.endings != GROUPED => return Err(ReadError::NoGroups { file }),
+        group => hdf5::read(path, group),
+    };
+    match table {
         Ok(table) => Ok(PointTable { source: file, ..table }),
         Err(problem) => Err(problem.in_file(&file)),
     }
