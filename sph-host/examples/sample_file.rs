@@ -20,6 +20,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     };
     let request = Request {
         particles: ParticleSource::File(path),
+        group: None,
         at: SamplePoints::Grid { counts: vec![4, 4], bounds: None },
         kernel: KernelName::WendlandC2,
         dim: None,

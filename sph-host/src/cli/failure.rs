@@ -47,6 +47,7 @@ impl From<ReadError> for Failure {
     fn from(error: ReadError) -> Self {
         match error {
             ReadError::UnknownEnding { .. } => Self::Usage(error.to_string()),
+            ReadError::NoGroups { .. } => Self::Usage(format!("{error}; leave out --group")),
             ReadError::NotInPieces { .. } => Self::Usage(format!("{error}; leave out --chunk")),
             _ => Self::Input(error.to_string()),
         }

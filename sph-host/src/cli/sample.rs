@@ -42,6 +42,8 @@ pub(super) struct SampleArgs {
     #[arg(long, value_name = "X0,Y0[,Z0],X1,Y1[,Z1]", value_parser = parse::bounds, allow_hyphen_values = true)]
     bounds: Option<Bounds>,
 
+    #[arg(long, value_name = "NAME", help = group_help())]
+    group: Option<String>,
     /// The smoothing kernel
     #[arg(long, value_enum, default_value_t = KernelName::CubicSpline)]
     kernel: KernelName,
@@ -124,6 +126,14 @@ fn scalar_help() -> String {
     )
 }
 
+fn group_help() -> String {
+    format!(
+        "The particles of this group of an HDF5 file ({}): PySPH's name, such as fluid, or a place, such as PartType1; without it, \
+         PartType0 or the only group with particles",
+        io::GROUPED.join(", ")
+    )
+}
+
 fn chunk_help() -> String {
     let endings =
         io::FORMATS.iter().filter(|format| format.is_read_in_pieces()).flat_map(|format| format.endings);
@@ -145,7 +155,7 @@ pub(super) fn run(args: SampleArgs) -> Result<(), Failure> {
     let bar = Bar::new(quiet, "{bar:40} {human_pos}/{human_len} points, {left}");
     let sampled = sample::run(&request, &bar).map_err(explain)?;
     for warning in &sampled.warnings {
-        say(&format!("warning: {}", in_words(warning)));
+        say(&in_words(warning));
     }
     if exact {
         say(&format!("units: {}", units_line(&sampled)));
@@ -178,6 +188,9 @@ fn request(args: SampleArgs) -> Result<Request, Failure> {
     if args.chunk.is_some() && matches!(particles, ParticleSource::Demo(..)) {
         return Err(Failure::usage("--chunk reads a file some particles at a time, not a built-in set"));
     }
+    if args.group.is_some() && matches!(particles, ParticleSource::Demo(..)) {
+        return Err(Failure::usage("--group chooses particles of a file, not of a built-in set"));
+    }
     let at = match (args.at, args.grid) {
         (Some(path), _) => SamplePoints::At(path),
         (None, Some(Counts(counts))) => {
@@ -189,6 +202,7 @@ fn request(args: SampleArgs) -> Result<Request, Failure> {
     };
     Ok(Request {
         particles,
+        group: args.group,
         at,
         kernel: args.kernel,
         dim,

@@ -11,6 +11,7 @@
 //!
 //! let request = Request {
 //!     particles: ParticleSource::Demo("vortex".into(), Some(400)),
+//!     group: None,
 //!     at: SamplePoints::Grid { counts: vec![8, 8], bounds: None },
 //!     kernel: KernelName::CubicSpline,
 //!     dim: None,
@@ -111,6 +112,7 @@ pub fn run(request: &Request, progress: &dyn Progress) -> Result<Sampled, Sample
     memory::refuse_oversize(request)?;
     let start = Instant::now();
     let tables = read::read(request)?;
+    let notes = tables.notes();
     let mut checked = check::check(tables, request)?;
     let points = checked.points;
     let plan = Plan::new(request, checked.span, checked.axes, &points)?;
@@ -123,7 +125,9 @@ pub fn run(request: &Request, progress: &dyn Progress) -> Result<Sampled, Sample
     progress.end();
 
     let timing = Timing { read, search: done.search_seconds, evaluate: done.evaluate_seconds };
-    Ok(sampled(plan, points, done, timing, pool.current_num_threads()))
+    let mut sampled = sampled(plan, points, done, timing, pool.current_num_threads());
+    sampled.warnings.splice(0..0, notes);
+    Ok(sampled)
 }
 
 /// The result with its warnings.

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use super::error::SampleError;
+use super::error::{SampleError, Warning};
 use super::request::{ParticleSource, Request, SamplePoints};
 use crate::demo;
 use crate::io::{self, PointTable};
@@ -22,11 +22,32 @@ pub(super) enum Input {
     Pieces(PathBuf, usize),
 }
 
+impl Tables {
+    /// What the files have to say.
+    pub(super) fn notes(&self) -> Vec<Warning> {
+        let particles = match &self.particles {
+            Input::Whole(table, _) => Some(table),
+            Input::Pieces(..) => None,
+        };
+        let of = |table: &PointTable| {
+            let file = table.source.clone();
+            table
+                .notes
+                .iter()
+                .map(move |note| Warning::Note { file: file.clone(), note: note.clone() })
+                .collect::<Vec<_>>()
+        };
+        particles.into_iter().chain(&self.points).flat_map(of).collect()
+    }
+}
+
 /// Reads the tables of a request.
 pub(super) fn read(request: &Request) -> Result<Tables, SampleError> {
     let particles = match (&request.particles, request.chunk) {
         (ParticleSource::File(path), Some(most)) => Input::Pieces(path.clone(), most),
-        (ParticleSource::File(path), None) => Input::Whole(io::read(path)?, None),
+        (ParticleSource::File(path), None) => {
+            Input::Whole(io::read_group(path, request.group.as_deref())?, None)
+        }
         (ParticleSource::Demo(name, count), _) => {
             let unknown = || SampleError::UnknownSet { name: name.clone() };
             let set = demo::set(name, *count).ok_or_else(unknown)?;

@@ -49,6 +49,8 @@ pub enum SupportFrom {
 pub struct Request {
     /// The particles.
     pub particles: ParticleSource,
+    /// Which group of the particles' file is meant, where a format has such: see [`read_group`](crate::io::read_group).
+    pub group: Option<String>,
     /// The points.
     pub at: SamplePoints,
     /// The kernel.

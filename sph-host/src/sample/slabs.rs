@@ -225,6 +225,7 @@ mod tests {
     fn request(path: &Path) -> Request {
         Request {
             particles: ParticleSource::File(path.to_owned()),
+            group: None,
             at: SamplePoints::Grid { counts: vec![2, 2], bounds: None },
             kernel: KernelName::Poly6,
             dim: None,

@@ -123,6 +123,7 @@ impl Request {
     fn sample(&self, kernel: KernelName) -> sample::Request {
         sample::Request {
             particles: self.particles.clone(),
+            group: None,
             at: SamplePoints::AtParticles,
             kernel,
             dim: self.dim,

@@ -9,6 +9,7 @@ mod file_faults;
 mod files;
 mod firmware;
 mod grids;
+mod hdf5_files;
 mod install;
 mod kernels;
 mod numbers;
