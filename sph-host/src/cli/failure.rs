@@ -52,6 +52,7 @@ impl From<ReadError> for Failure {
             ReadError::Position { .. } => Self::Input(format!(
                 "{error}; --position NAME (an array) or --position X,Y[,Z] (columns) says where coordinates are"
             )),
+            ReadError::NoGroups { .. } => Self::Usage(format!("{error}; leave out --group")),
             ReadError::NotInPieces { .. } => Self::Usage(format!("{error}; leave out --chunk")),
             _ => Self::Input(error.to_string()),
         }

@@ -7,7 +7,7 @@ use clap::Args;
 use super::failure::Failure;
 use super::parse;
 use crate::demo;
-use crate::io::InputFile;
+use crate::io::{GROUPED, InputFile};
 use crate::sample::{Only, ParticleSource};
 
 /// What a file's name does not say.
@@ -26,6 +26,8 @@ pub(super) struct InputArgs {
     /// Lines of a text table to pass over before its header
     #[arg(long, value_name = "N", default_value_t = 0)]
     skip_lines: usize,
+    #[arg(long, value_name = "NAME", help = group_help())]
+    group: Option<String>,
     /// About how many particles a built-in set is to have
     #[arg(long = "particles", id = "count", value_name = "N", value_parser = parse::count)]
     count: Option<usize>,
@@ -42,9 +44,9 @@ impl InputArgs {
             if demo::SETS.iter().all(|(known, _)| *known != name) {
                 return Err(super::sample_messages::unknown_set(name));
             }
-            if !self.position.is_empty() || self.skip_lines > 0 {
+            if !self.position.is_empty() || self.skip_lines > 0 || self.group.is_some() {
                 return Err(Failure::usage(
-                    "--position and --skip-lines say how a file is read, not a built-in set",
+                    "--position, --group and --skip-lines say how a file is read, not a built-in set",
                 ));
             }
             return Ok((ParticleSource::Demo(name.to_owned(), self.count), self.only.clone()));
@@ -57,8 +59,8 @@ impl InputArgs {
                 "--position names one array, or a column for each of up to three axes",
             ));
         }
-        let (position, skip_lines) = (self.position.clone(), self.skip_lines);
-        let file = InputFile { position, skip_lines, ..words.into() };
+        let (position, skip_lines, group) = (self.position.clone(), self.skip_lines, self.group.clone());
+        let file = InputFile { position, skip_lines, group, ..words.into() };
         let is_of_points = points == Some(Path::new("-")) && !file.is_standard_input();
         let format = self.format.clone().filter(|_| !is_of_points);
         Ok((ParticleSource::File(known(InputFile { format, ..file })?), self.only.clone()))
@@ -70,6 +72,14 @@ impl InputArgs {
         let format = self.format.clone().filter(|_| file.is_standard_input());
         known(InputFile { format, ..file })
     }
+}
+
+fn group_help() -> String {
+    format!(
+        "The particles of this group of an HDF5 file ({}): PySPH's name, such as fluid, or a place, such as PartType1; without it, \
+         PartType0 or the only group with particles",
+        GROUPED.join(", ")
+    )
 }
 
 /// The file, if its format is known.

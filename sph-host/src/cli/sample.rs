@@ -171,7 +171,7 @@ fn sample_one(request: &Request, args: &SampleArgs) -> Result<Sampled, Failure> 
         say(&format!("{taken} of {of} particles are taken"));
     }
     for warning in &sampled.warnings {
-        say(&format!("warning: {}", in_words(warning)));
+        say(&in_words(warning));
     }
     if args.exact {
         say(&format!("units: {}", units_line(&sampled)));

@@ -3,6 +3,7 @@
 use super::failure::Failure;
 use crate::demo;
 use crate::estimate_choice::Estimate;
+use crate::io::ReadError;
 use crate::kernel_choice::KernelName;
 use crate::sample::{SampleError, SamplePoints, Significant, Warning};
 
@@ -29,16 +30,18 @@ pub(super) fn explain(error: SampleError) -> Failure {
         SampleError::OutOfRange { .. }
         | SampleError::PositionOutOfRange { .. }
         | SampleError::BoxOutOfRange { .. } => ": choose another --scalar",
+        SampleError::Read(ReadError::SeveralSets { .. }) => "; --group NAME chooses one of PARTICLES",
         _ => "",
     };
     let message = format!("{error}{advice}");
     match error {
+        SampleError::Read(ReadError::SeveralSets { .. }) => Failure::input(message),
         SampleError::Read(error) => Failure::from(error),
         _ => Failure::input(message),
     }
 }
 
-/// A warning in the command's words.
+/// A warning in the command's words, and that it is one.
 pub(super) fn in_words(warning: &Warning) -> String {
     let advice = match warning {
         Warning::Flat { constant, .. } => {
@@ -54,7 +57,8 @@ pub(super) fn in_words(warning: &Warning) -> String {
         Warning::Coarse { .. } => ": choose --scalar f64",
         _ => "",
     };
-    format!("{warning}{advice}")
+    let word = if matches!(warning, Warning::Note { .. }) { "note" } else { "warning" };
+    format!("{word}: {warning}{advice}")
 }
 
 /// The estimates that need no mass.

@@ -26,6 +26,20 @@ pub enum ReadError {
         /// The file's name as given.
         file: String,
     },
+    /// A group was named for a file that has none. The file has not been looked at.
+    #[error("{file}: a file with this ending has no groups; one of {} has", list(&super::GROUPED))]
+    NoGroups {
+        /// The file's name as given.
+        file: String,
+    },
+    /// Several groups hold particles, and none was named.
+    #[error("{file}: several groups hold particles: {sets}")]
+    SeveralSets {
+        /// The file's name as given.
+        file: String,
+        /// What they are called, with commas between.
+        sets: String,
+    },
     /// The name belongs to a pipe or a device.
     #[error("{file}: this is {found}; {expected}")]
     NotAFile {
@@ -84,6 +98,7 @@ pub(super) enum Problem {
     Io(io::Error),
     NotAFile { found: &'static str, expected: &'static str },
     Position { at: Option<String>, problem: String },
+    SeveralSets { sets: String },
     Invalid { at: Option<String>, problem: String },
 }
 
@@ -121,6 +136,7 @@ impl Problem {
             Self::Io(source) => ReadError::Io { file, source },
             Self::NotAFile { found, expected } => ReadError::NotAFile { file, found, expected },
             Self::Position { at, problem } => ReadError::Position { file, at, problem },
+            Self::SeveralSets { sets } => ReadError::SeveralSets { file, sets },
             Self::Invalid { at, problem } => ReadError::Invalid { file, at, problem },
         }
     }

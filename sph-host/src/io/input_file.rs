@@ -31,6 +31,9 @@ pub struct InputFile {
     pub position: Vec<String>,
     /// Lines of a text table before the header that are passed over.
     pub skip_lines: usize,
+    /// The set of particles of a file that has several: PySPH's name of the set, such as `fluid`, or the place of the group in the
+    /// file, such as `PartType1`; none: `PartType0`, or else the only group with particles.
+    pub group: Option<String>,
 }
 
 /// A file that formats can open: what is packed is unpacked, and standard input is written, to a temporary file.
@@ -113,6 +116,9 @@ impl InputFile {
     pub(crate) fn at_hand(&self) -> Result<AtHand, ReadError> {
         let (format, is_packed) = self.known_format()?;
         let (mut file, name) = (self.clone(), self.name());
+        if self.group.is_some() && format.endings != read::GROUPED {
+            return Err(ReadError::NoGroups { file: name });
+        }
         let mut spool = None;
         if is_packed || self.is_standard_input() {
             let path = self.spooled(is_packed).map_err(|problem| problem.in_file(&name))?;

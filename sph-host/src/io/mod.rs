@@ -7,6 +7,9 @@
 //! vectors. A unit in brackets behind a name is dropped. [`InputFile`] says what a name does not: which arrays the coordinates
 //! are, the format of standard input, lines to skip.
 //!
+//! A file of HDF5 may hold several sets of particles: [`InputFile::group`] names one. What it says of its units is in
+//! [`PointTable::notes`], and is not applied.
+//!
 //! [`FORMATS`] lists what is read. [`Pieces`] reads some of them a few points at a time, for files larger than memory.
 //!
 //! What is wrong with an array that nobody uses does no harm: text among the numbers, too few of them, a length that is
@@ -53,6 +56,6 @@ pub(crate) use input_file::AtHand;
 pub use input_file::InputFile;
 pub(crate) use names::fill_empty_names;
 pub use quantity::Quantity;
-pub use read::{ENDINGS, FORMATS, Format, Pieces, read};
+pub use read::{ENDINGS, FORMATS, Format, GROUPED, Pieces, read};
 pub use series::{Moment, is_series, read_series};
 pub use table::{Array, Fault, PointTable};

@@ -14,6 +14,8 @@ pub struct PointTable {
     pub coordinates: Vec<Vec<f64>>,
     /// All other arrays of the points, in the file's order.
     pub arrays: Vec<Array>,
+    /// What a person should know of the file, a line each: the units that it names, which are not applied.
+    pub notes: Vec<String>,
     /// What the file calls the coordinate along each axis.
     pub(super) axes: Vec<String>,
     pub(super) rows: Rows,
@@ -144,6 +146,7 @@ impl PointTable {
             source: String::new(),
             coordinates: Vec::new(),
             arrays,
+            notes: Vec::new(),
             axes: Vec::new(),
             rows,
             is_placed: false,
@@ -158,6 +161,7 @@ impl PointTable {
             source: String::new(),
             coordinates: Vec::new(),
             arrays,
+            notes: Vec::new(),
             axes: Vec::new(),
             rows,
             is_placed: false,

@@ -122,6 +122,7 @@ pub fn run(request: &Request, progress: &dyn Progress) -> Result<Sampled, Sample
     memory::refuse_oversize(request)?;
     let start = Instant::now();
     let tables = read::read(request)?;
+    let notes = tables.notes();
     let mut checked = check::check(tables, request)?;
     let points = checked.points;
     let plan = Plan::new(request, checked.span, checked.taken.taken, checked.axes, &points)?;
@@ -134,8 +135,10 @@ pub fn run(request: &Request, progress: &dyn Progress) -> Result<Sampled, Sample
     progress.end();
 
     let timing = Timing { read, search: done.search_seconds, evaluate: done.evaluate_seconds };
-    let taken = (!request.only.is_empty()).then_some(checked.taken);
-    Ok(Sampled { taken, ..sampled(plan, points, done, timing, pool.current_num_threads()) })
+    let mut sampled = sampled(plan, points, done, timing, pool.current_num_threads());
+    sampled.warnings.splice(0..0, notes);
+    sampled.taken = (!request.only.is_empty()).then_some(checked.taken);
+    Ok(sampled)
 }
 
 /// The result with its warnings.

@@ -6,6 +6,7 @@ use super::particles::Particles;
 use super::periodic::PeriodicBox;
 use super::request::{ParticleSource, Request, SamplePoints};
 use super::table;
+use super::warning::Warning;
 use crate::demo;
 use crate::io::{AtHand, InputFile, PointTable};
 
@@ -58,6 +59,25 @@ impl PieceByPiece {
         }
         taken.require_some(self.file.name(), &request.only)?;
         Ok(taken)
+    }
+}
+
+impl Tables {
+    /// What the files have to say.
+    pub(super) fn notes(&self) -> Vec<Warning> {
+        let particles = match &self.particles {
+            Input::Whole(table, ..) => Some(table),
+            Input::Pieces(..) => None,
+        };
+        let of = |table: &PointTable| {
+            let file = table.source.clone();
+            table
+                .notes
+                .iter()
+                .map(move |note| Warning::Note { file: file.clone(), note: note.clone() })
+                .collect::<Vec<_>>()
+        };
+        particles.into_iter().chain(&self.points).flat_map(of).collect()
     }
 }
 

@@ -8,6 +8,14 @@ use crate::estimate_choice::Estimate;
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum Warning {
+    /// What a file says of itself, such as its units.
+    #[error("{file}: {note}")]
+    Note {
+        /// The file.
+        file: String,
+        /// What it says.
+        note: String,
+    },
     /// No points were asked for.
     #[error("there are no points: the result has a header alone")]
     NoPoints,

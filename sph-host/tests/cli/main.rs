@@ -10,6 +10,7 @@ mod file_faults;
 mod files;
 mod firmware;
 mod grids;
+mod hdf5_files;
 mod install;
 mod kernels;
 mod names;

@@ -3,6 +3,8 @@
 mod bgeo;
 mod bombs;
 mod damage;
+
+mod hdf5;
 mod npy;
 mod parted;
 mod ply;

@@ -4,6 +4,8 @@
 //! |---|---|---|
 //! | bytes unpacked, of all arrays together | [`MOST_PACKED`] times the file | Deflate packs no more, and a byte of a file is one array's |
 //! | base64 decoded, of all arrays together | [`MOST_DECODED`] times the file | arrays may share bytes, but not by the thousand |
+//! | one chunk of HDF5, as it is stored | the file | it is there |
+//! | bytes of HDF5 read | 16 times the file, and 16 MiB | indexes may lead to one place by many ways |
 //! | numbers kept, as `f64` | the memory that is available | beyond it the system would end the process |
 //! | arrays of one piece | [`MOST_ARRAYS`] | each is compared with the others of its name |
 //! | numbers a point of one array | [`MOST_COMPONENTS`] | each has a name, also where there are no points |
@@ -36,6 +38,7 @@ const SMALL: u64 = 1 << 26;
 
 /// What is left to spend on one file. Every refusal says what was asked for and what there is.
 pub(super) struct Budget {
+    file: u64,
     unpacked: Cell<u64>,
     decoded: Cell<u64>,
     kept: Cell<u64>,
@@ -46,6 +49,7 @@ impl Budget {
     /// The budget of a file of so many bytes.
     pub(super) fn of_file(bytes: u64) -> Self {
         Self {
+            file: bytes,
             unpacked: Cell::new(bytes.saturating_mul(MOST_PACKED)),
             decoded: Cell::new(bytes.saturating_mul(MOST_DECODED)),
             kept: Cell::new(0),
@@ -59,6 +63,17 @@ impl Budget {
     /// More than the file can hold.
     pub(super) fn unpack(&self, bytes: usize) -> Result<(), String> {
         spend(&self.unpacked, bytes, "unpacked")
+    }
+
+    /// That the file can hold one thing of `bytes`.
+    ///
+    /// # Errors
+    /// The file is smaller.
+    pub(super) fn store(&self, bytes: u64) -> Result<(), String> {
+        if bytes <= self.file {
+            return Ok(());
+        }
+        Err(format!("{bytes} bytes are to be read in one place, but the file has {}", self.file))
     }
 
     /// Takes `bytes` of base64.

@@ -7,6 +7,10 @@ mod bgeo;
 pub(super) mod budget;
 mod csv;
 mod fields;
+mod hdf5;
+mod hdf5_arrays;
+mod hdf5_sets;
+mod hdf5_units;
 mod join;
 mod legacy;
 mod legacy_arrays;
@@ -104,7 +108,12 @@ formats! {
         xyz::read, None;
     [".bgeo"] "Houdini's classic binary geometry of version 5, as Partio writes it: the points and their attributes"
         bgeo::read, None;
+    [".h5", ".hdf5"] "HDF5 of PySPH, Gadget, SWIFT, AREPO and the like: a group with arrays `x`, `y`, `z`, or `Coordinates` or `pos` of N×D"
+        hdf5::read, None;
 }
+
+/// The endings of the files that have groups.
+pub const GROUPED: [&str; 2] = hdf5::ENDINGS;
 
 /// The endings of the formats that are read in pieces.
 pub(super) fn endings_in_pieces() -> impl Iterator<Item = &'static &'static str> {

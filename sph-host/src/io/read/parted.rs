@@ -51,6 +51,7 @@ fn within(place: &str, problem: Problem) -> Problem {
     match problem {
         Problem::Io(error) => Problem::at(place, error.to_string()),
         Problem::NotAFile { found, expected } => Problem::at(place, format!("this is {found}; {expected}")),
+        Problem::SeveralSets { sets } => Problem::at(place, format!("several groups hold particles: {sets}")),
         Problem::Position { at, problem } => {
             Problem::at(place, format!("{}{problem}", at.map(|at| format!("{at}: ")).unwrap_or_default()))
         }
