@@ -38,6 +38,7 @@ pub mod run;
 pub mod sample;
 pub mod scalar_choice;
 pub mod study;
+pub mod surface;
 
 #[doc(hidden)]
 pub use engine::Tank;
