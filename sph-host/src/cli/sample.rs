@@ -12,12 +12,13 @@ use super::parse::{self, Bounds, Counts};
 use super::progress::Bar;
 use super::sample_messages::{explain, in_words, unknown_set};
 use super::support::SupportArgs;
+use super::surface::{self, SurfaceWords};
 use super::{say, to_stdout};
 use crate::demo;
 use crate::estimate_choice::Estimate;
 use crate::io;
 use crate::kernel_choice::KernelName;
-use crate::output::{self, Target};
+use crate::output::{self, Content, Target};
 use crate::sample::{self, ParticleSource, Request, SamplePoints, Sampled};
 use crate::scalar_choice::ScalarName;
 
@@ -55,6 +56,11 @@ pub(super) struct SampleArgs {
     /// Also the gradients: NAME_dx, NAME_dy, NAME_dz
     #[arg(long)]
     gradient: bool,
+    /// Write the surface on which a column of the result has a value, as triangles to --out FILE.ply or FILE.obj; needs a --grid of three
+    /// axes. For example: fluisim sample demo:drop --grid 60,60,60 --bounds=-0.1,-0.1,-0.1,1.1,1.1,1.1 --surface density=500 --out drop.ply.
+    /// Normals come from the gradient, which need not be asked for, and point to lower values
+    #[arg(long, value_name = "NAME=LEVEL", value_parser = surface::words)]
+    surface: Option<SurfaceWords>,
 
     #[command(flatten)]
     support: SupportArgs,
@@ -138,9 +144,13 @@ pub(super) fn run(args: SampleArgs) -> Result<(), Failure> {
     let to_file = args.out.clone().filter(|path| path != Path::new("/dev/stdout"));
     let target = to_file.map(|path| Target { path, force: args.force });
     let (quiet, timing, exact) = (args.quiet, args.timing, args.exact);
+    let surface = args.surface.clone();
     let request = request(args)?;
+    if let Some(surface) = &surface {
+        surface.check(&request.at, target.as_ref())?;
+    }
     if let Some(target) = &target {
-        target.check(matches!(request.at, SamplePoints::Grid { .. }))?;
+        target.check(content(&request))?;
     }
     let bar = Bar::new(quiet, "{bar:40} {human_pos}/{human_len} points, {left}");
     let sampled = sample::run(&request, &bar).map_err(explain)?;
@@ -151,14 +161,24 @@ pub(super) fn run(args: SampleArgs) -> Result<(), Failure> {
         say(&format!("units: {}", units_line(&sampled)));
     }
     let start = Instant::now();
-    match &target {
-        Some(target) => output::write(&sampled.table, target)?,
-        None => to_stdout(output::write_csv(&sampled.table, BufWriter::new(std::io::stdout().lock())))?,
+    match (&target, &surface) {
+        (Some(target), Some(surface)) => surface.write(&sampled.table, target)?,
+        (Some(target), None) => output::write(&sampled.table, target)?,
+        (None, _) => to_stdout(output::write_csv(&sampled.table, BufWriter::new(std::io::stdout().lock())))?,
     }
     if timing {
         say(&format!("timing: {}", timing_line(&sampled, start.elapsed().as_secs_f64())));
     }
     Ok(())
+}
+
+/// What the result's file will hold.
+fn content(request: &Request) -> Content {
+    match request.at {
+        _ if request.surface.is_some() => Content::Surface,
+        SamplePoints::Grid { .. } => Content::Grid,
+        SamplePoints::At(_) | SamplePoints::AtParticles => Content::Points,
+    }
 }
 
 /// What the words ask for, where they are words that can be.
@@ -193,7 +213,8 @@ fn request(args: SampleArgs) -> Result<Request, Failure> {
         kernel: args.kernel,
         dim,
         quantities: args.quantities,
-        gradient: args.gradient,
+        gradient: args.gradient || args.surface.is_some(),
+        surface: args.surface.map(|surface| surface.column),
         support: args.support.source(),
         estimate: args.estimate,
         mass: args.mass,

@@ -230,6 +230,7 @@ mod tests {
             dim: None,
             quantities: Vec::new(),
             gradient: false,
+            surface: None,
             support: Some(SupportFrom::Radius(0.5)),
             estimate: Estimate::Plain,
             mass: None,

@@ -128,6 +128,7 @@ impl Request {
             dim: self.dim,
             quantities: self.fields.clone(),
             gradient: true,
+            surface: None,
             support: self.support.clone(),
             estimate: Estimate::Plain,
             mass: self.mass,

@@ -3,6 +3,7 @@
 //! Each box of eight neighbouring lattice points is cut into the six tetrahedra around its diagonal from the lowest to the highest
 //! corner. Boxes side by side cut the face between them alike, so that triangles of neighbours meet edge to edge: a surface that
 //! reaches neither the border nor a point without value is closed, every edge has exactly two triangles, and every vertex one fan of them.
+//! At the border it is open; at points without value it has holes, whose rims may touch in a vertex.
 //!
 //! A vertex lies on an edge of a tetrahedron, from lattice point a to b, where the linear interpolation of the values has the level:
 //!

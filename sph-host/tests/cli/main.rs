@@ -19,5 +19,6 @@ mod refusals;
 mod scalars;
 mod study;
 mod support;
+mod surfaces;
 mod units;
 mod words;

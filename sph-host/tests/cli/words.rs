@@ -11,7 +11,7 @@ fn words_that_cannot_be_are_wrong_usage() {
         ("sample p.csv --at-particles --support 1 --kernel viscosity", "viscosity"),
         ("sample p.csv --at-particles --support 1 --estimate best", "best"),
         ("sample p.csv --at-particles --support 1 --scalar f8", "f8"),
-        ("sample p.csv --at-particles --support 1 --out out.xyz", "out.xyz"),
+        ("sample p.csv --at-particles --support 1 --out out.stl", "out.stl"),
         ("sample p.csv --at-particles --support 1 --out out", ".csv"),
         ("sample p.csv --at-particles --support 1 --out out.png", "--grid"),
         ("sample p.csv --at-particles --support 1 --out out.vti", "--grid"),
