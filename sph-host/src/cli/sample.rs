@@ -56,9 +56,10 @@ pub(super) struct SampleArgs {
     /// Also the gradients: NAME_dx, NAME_dy, NAME_dz
     #[arg(long)]
     gradient: bool,
-    /// Write the surface on which a column of the result has a value, as triangles to --out FILE.ply or FILE.obj; needs a --grid of three
-    /// axes. For example: fluisim sample demo:drop --grid 60,60,60 --bounds=-0.1,-0.1,-0.1,1.1,1.1,1.1 --surface density=500 --out drop.ply.
-    /// Normals come from the gradient, which need not be asked for, and point to lower values
+    /// Write the surface on which a column of the result has a value: triangles, to --out FILE.ply or FILE.obj
+    ///
+    /// It needs a --grid of three axes. Normals point to lower values; the gradient that they come from need not be asked for. For example:
+    /// fluisim sample demo:drop --grid 60,60,60 --bounds=-0.1,-0.1,-0.1,1.1,1.1,1.1 --surface density=500 --out drop.ply
     #[arg(long, value_name = "NAME=LEVEL", value_parser = surface::words)]
     surface: Option<SurfaceWords>,
 
