@@ -17,6 +17,20 @@ const EDGES: usize = 7;
 ///
 /// The order of vertices and triangles follows from the values alone.
 ///
+/// ```
+/// use sph_host::surface::{Lattice, march};
+///
+/// // one value of 1 among zeros, at (2, 2, 2)
+/// let axis = [1.0, 2.0, 3.0];
+/// let mut values = [0.0; 27];
+/// values[13] = 1.0;
+/// let mesh = march(&Lattice { axes: [&axis; 3], values: &values, gradient: None }, 0.5)?;
+/// assert_eq!((mesh.vertices.len(), mesh.triangles.len(), mesh.edges()), (14, 24, 36));
+/// assert_eq!(mesh.open_at_border, 0);
+/// assert!(mesh.vertices.iter().any(|vertex| vertex.position == [1.5, 2.0, 2.0] && vertex.normal[0] < 0.0));
+/// # Ok::<(), sph_host::surface::TooManyVertices>(())
+/// ```
+///
 /// # Errors
 ///
 /// [`TooManyVertices`].
@@ -32,9 +46,7 @@ pub fn march(lattice: &Lattice<'_>, level: f64) -> Result<Mesh, TooManyVertices>
     };
     for z in 0..nz.saturating_sub(1) {
         for y in 0..ny.saturating_sub(1) {
-            for x in 0..nx.saturating_sub(1) {
-                march.cross_box([x, y, z])?;
-            }
+            march.cross_row(y, z)?;
         }
         march.layers.swap(0, 1);
         march.layers[1].fill(NONE);
@@ -52,33 +64,48 @@ struct March<'a> {
 }
 
 /// Which corners of a box have a value, and which of these lie inside: a bit a corner.
+#[derive(Clone, Copy)]
 struct Corners {
     valued: u8,
     inside: u8,
 }
 
 impl March<'_> {
-    fn corners(&self, place: [usize; 3]) -> Corners {
-        let [_, row, layer] = self.lattice.strides();
-        let first = place[0] + place[1] * row + place[2] * layer;
-        let mut corners = Corners { valued: 0, inside: 0 };
-        for corner in 0..8_u8 {
-            let [x, y, z] = steps(corner);
-            let Some(value) = self.lattice.value(first + x + y * row + z * layer) else { continue };
-            corners.valued |= 1 << corner;
-            corners.inside |= u8::from(value > self.level) << corner;
+    /// The boxes of a row along x.
+    fn cross_row(&mut self, y: usize, z: usize) -> Result<(), TooManyVertices> {
+        let mut lower = self.lower_corners([0, y, z]);
+        for x in 1..self.lattice.axes[0].len() {
+            let upper = self.lower_corners([x, y, z]);
+            let corners = Corners {
+                valued: lower.valued | upper.valued << 1,
+                inside: lower.inside | upper.inside << 1,
+            };
+            if corners.inside != 0 && corners.inside != corners.valued {
+                self.cross_box([x - 1, y, z], corners)?;
+            }
+            lower = upper;
         }
-        corners
+        Ok(())
     }
 
-    fn cross_box(&mut self, place: [usize; 3]) -> Result<(), TooManyVertices> {
-        let Corners { valued, inside } = self.corners(place);
-        if inside == 0 || inside == valued {
-            return Ok(());
-        }
+    /// The corners on the lower side of a box along x, whose bits are the even ones.
+    fn lower_corners(&self, [x, y, z]: [usize; 3]) -> Corners {
+        let [_, row, layer] = self.lattice.strides();
+        let first = x + y * row + z * layer;
+        let numbers = [first, first + row, first + layer, first + row + layer];
+        numbers.into_iter().enumerate().fold(Corners { valued: 0, inside: 0 }, |corners, (place, number)| {
+            let Some(value) = self.lattice.value(number) else { return corners };
+            Corners {
+                valued: corners.valued | 1 << (2 * place),
+                inside: corners.inside | u8::from(value > self.level) << (2 * place),
+            }
+        })
+    }
+
+    fn cross_box(&mut self, place: [usize; 3], corners: Corners) -> Result<(), TooManyVertices> {
         for tetrahedron in self.tetrahedra {
-            if tetrahedron.among(valued) == 15 {
-                self.cross(place, &tetrahedron, tetrahedron.among(inside))?;
+            if tetrahedron.among(corners.valued) == 15 {
+                self.cross(place, &tetrahedron, tetrahedron.among(corners.inside))?;
             }
         }
         Ok(())
