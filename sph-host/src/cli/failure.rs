@@ -70,9 +70,9 @@ impl From<WriteError> for Failure {
 fn needed_instead(path: &Path, content: Content) -> &'static str {
     let holds = |content| Format::of(path).is_some_and(|format| format.holds.contains(&content));
     if content != Content::Surface && holds(Content::Surface) {
-        ": it needs --surface NAME=LEVEL and a --grid of three axes"
+        "; this ending needs --surface NAME=LEVEL and a --grid of three axes"
     } else if content == Content::Points && holds(Content::Grid) {
-        ": it needs --grid"
+        "; this ending needs --grid"
     } else {
         ""
     }

@@ -20,7 +20,7 @@ pub enum WriteError {
     UnknownEnding(PathBuf),
     /// Something that this format does not hold, such as image data of points that are no grid.
     #[error(
-        "{}: {} is written so, but {}; {}", path.display(), about(path), is_instead(path, *content), holders(*content)
+        "{}: this ending is for {}, but {}; {}", path.display(), about(path), is_instead(path, *content), holders(*content)
     )]
     Unfit {
         /// The target.
