@@ -25,6 +25,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         dim: None,
         quantities: vec!["temperature".into()],
         gradient: true,
+        surface: None,
         support: Some(SupportFrom::Radius(0.26)),
         only: Vec::new(),
         periodic: None,

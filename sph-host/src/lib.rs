@@ -7,7 +7,7 @@
 //! 3. [`sample`]: one request for fields, from a file to a table. It takes the fast path, or sph-core's own order of summation.
 //! 4. [`run`]: fluids that move, in cases that are measured against experiment and exact solutions.
 //! 5. [`study`]: what a number type costs on one's own particles, and the one to take.
-//! 6. [`output`] and [`picture`]: tables as files, and as images and plots.
+//! 6. [`output`], [`picture`] and [`surface`]: tables as files, as images and plots, and as triangles where a field has a value.
 //! 7. [`cli`]: the words of the command. Nothing else here knows them: everything that `fluisim` does is a call of this library.
 //!
 //! Kernels, number types and estimates are chosen when the program runs by [`kernel_choice`], [`scalar_choice`] and [`estimate_choice`].
@@ -39,6 +39,7 @@ pub mod run;
 pub mod sample;
 pub mod scalar_choice;
 pub mod study;
+pub mod surface;
 
 #[doc(hidden)]
 pub use engine::Tank;

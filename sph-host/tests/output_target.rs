@@ -6,7 +6,7 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
-use sph_host::output::{Column, Precision, Table, Target, WriteError, cleanup_on_interrupt, write};
+use sph_host::output::{Column, Content, Precision, Table, Target, WriteError, cleanup_on_interrupt, write};
 
 fn table() -> Table {
     Table {
@@ -31,7 +31,7 @@ fn an_existing_target_is_kept_unless_forced() {
     let directory = tempfile::tempdir().unwrap();
     let mut target = Target::new(directory.path().join("out.csv"));
     fs::write(&target.path, "precious").unwrap();
-    assert!(matches!(target.check(false), Err(WriteError::Exists(_))));
+    assert!(matches!(target.check(Content::Points), Err(WriteError::Exists(_))));
     let error = write(&table(), &target).unwrap_err();
     assert!(error.to_string().ends_with("out.csv: the file exists already and is kept"), "{error}");
     assert!(!error.is_usage());
@@ -72,20 +72,31 @@ fn a_failure_leaves_the_old_file_and_nothing_else() {
 #[test]
 fn what_cannot_be_is_said_before_the_work() {
     let directory = tempfile::tempdir().unwrap();
-    let check = |name: &str, grid| Target::new(directory.path().join(name)).check(grid);
+    let check = |name: &str, content| Target::new(directory.path().join(name)).check(content);
+    let (points, grid, surface) = (Content::Points, Content::Grid, Content::Surface);
     for name in ["out", "out.txt", "out.csv.gz", ".csv"] {
-        let error = check(name, true).unwrap_err();
+        let error = check(name, grid).unwrap_err();
         assert!(matches!(error, WriteError::UnknownEnding(_)) && error.is_usage(), "{name}: {error}");
     }
-    for name in ["out.png", "out.vti"] {
-        let error = check(name, false).unwrap_err();
-        assert!(error.is_usage() && error.to_string().contains("no grid"), "{name}: {error}");
-        assert!(check(name, true).is_ok());
+    for (name, holds, not, said) in [
+        ("out.png", &[grid][..], &[points, surface][..], "no grid"),
+        ("out.vti", &[grid], &[points, surface], "no grid"),
+        ("out.ply", &[points, surface], &[grid], "a grid without a surface"),
+        ("out.obj", &[surface], &[points, grid], "these are points"),
+        ("out.xyz", &[points, grid], &[surface], "a surface can be written as one of .ply, .obj"),
+    ] {
+        holds.iter().for_each(|&content| assert!(check(name, content).is_ok(), "{name}"));
+        for &content in not {
+            let error = check(name, content).unwrap_err();
+            assert!(matches!(error, WriteError::Unfit { .. }) && error.is_usage(), "{name}: {error}");
+        }
+        let error = check(name, not[0]).unwrap_err().to_string();
+        assert!(error.contains(said), "{name}: {error}");
     }
-    assert_eq!(check("OUT.CSV", false).unwrap().ending, ".csv");
-    assert!(matches!(check("missing/out.csv", false), Err(WriteError::Directory { .. })));
+    assert_eq!(check("OUT.CSV", points).unwrap().ending, ".csv");
+    assert!(matches!(check("missing/out.csv", points), Err(WriteError::Directory { .. })));
     fs::create_dir(directory.path().join("folder.vtk")).unwrap();
-    assert!(matches!(check("folder.vtk", false), Err(WriteError::IsDirectory(_))));
+    assert!(matches!(check("folder.vtk", points), Err(WriteError::IsDirectory(_))));
     assert_eq!(names(directory.path()), ["folder.vtk"]);
 }
 
@@ -106,7 +117,8 @@ fn a_device_or_a_pipe_is_never_replaced() {
         let before = fs::symlink_metadata(&path).unwrap().file_type();
         for force in [false, true] {
             let target = Target { path: path.clone(), force };
-            for result in [target.check(false).map(drop), write(&table(), &target), target.create(|_| Ok(()))]
+            for result in
+                [target.check(Content::Points).map(drop), write(&table(), &target), target.create(|_| Ok(()))]
             {
                 let error = result.unwrap_err();
                 assert!(matches!(error, WriteError::NotAFile(_)) && !error.is_usage(), "{error}");
@@ -126,7 +138,7 @@ fn a_result_has_the_permissions_of_an_ordinary_file_and_goes_through_a_link() {
     File::create(&file).unwrap();
     let ordinary = fs::metadata(&file).unwrap().mode();
     symlink("file.csv", &link).unwrap();
-    assert!(matches!(Target::new(&link).check(false), Err(WriteError::Exists(_))));
+    assert!(matches!(Target::new(&link).check(Content::Points), Err(WriteError::Exists(_))));
     write(&table(), &Target { path: link.clone(), force: true }).unwrap();
     assert!(link.is_symlink());
     assert_eq!(fs::metadata(&file).unwrap().mode(), ordinary);
@@ -177,12 +189,12 @@ fn a_link_to_nothing_and_one_to_a_device_are_refused() {
     let path = directory.path().join("out.csv");
     std::os::unix::fs::symlink(directory.path().join("gone/nothing.csv"), &path).unwrap();
     let target = Target { path: path.clone(), force: true };
-    assert!(matches!(target.check(false), Err(WriteError::DanglingLink(_))));
+    assert!(matches!(target.check(Content::Points), Err(WriteError::DanglingLink(_))));
     assert!(matches!(write(&table(), &target), Err(WriteError::DanglingLink(_))));
     assert!(path.is_symlink());
     std::fs::remove_file(&path).unwrap();
     std::os::unix::fs::symlink("/dev/null", &path).unwrap();
-    let said = target.check(false).unwrap_err().to_string();
+    let said = target.check(Content::Points).unwrap_err().to_string();
     assert!(said.contains("without a name, text goes to standard output"), "{said}");
     assert_eq!(names(directory.path()), ["out.csv"]);
 }

@@ -229,7 +229,7 @@ fn what_is_no_file_of_particles() {
         std::fs::create_dir(&path).unwrap();
         assert!(matches!(read(&path), Err(ReadError::Io { .. })), "{ending}");
     }
-    for name in ["a.txt", "a", ".csv", "a.csv.gz"] {
+    for name in ["a.txt", "a", ".csv", ".csv.gz", "a.txt.gz"] {
         let error = read(Path::new(name)).unwrap_err();
         assert!(matches!(error, ReadError::UnknownEnding { .. }), "{error}");
     }

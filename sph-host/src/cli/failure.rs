@@ -1,9 +1,10 @@
 //! Why the command stops, and with which exit status.
 
 use std::fmt;
+use std::path::Path;
 
 use crate::io::ReadError;
-use crate::output::WriteError;
+use crate::output::{Content, Format, WriteError};
 
 /// One clear message, and whether the words of the command line or the files and data are at fault.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -62,11 +63,23 @@ impl From<ReadError> for Failure {
 impl From<WriteError> for Failure {
     fn from(error: WriteError) -> Self {
         let hint = match &error {
-            WriteError::NeedsGrid(_) => ": it needs --grid",
+            WriteError::Unfit { path, content } => needed_instead(path, *content),
             WriteError::Exists(_) => "; use --force to replace it",
             _ => "",
         };
         let message = format!("{error}{hint}");
         if error.is_usage() { Self::Usage(message) } else { Self::Input(message) }
+    }
+}
+
+/// The option that gives what a file can hold.
+fn needed_instead(path: &Path, content: Content) -> &'static str {
+    let holds = |content| Format::of(path).is_some_and(|format| format.holds.contains(&content));
+    if content != Content::Surface && holds(Content::Surface) {
+        "; this ending needs --surface NAME=LEVEL and a --grid of three axes"
+    } else if content == Content::Points && holds(Content::Grid) {
+        "; this ending needs --grid"
+    } else {
+        ""
     }
 }

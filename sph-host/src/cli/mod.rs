@@ -14,6 +14,7 @@ mod sample_messages;
 mod study;
 mod study_words;
 mod support;
+mod surface;
 
 use std::io::Write;
 use std::process::ExitCode;

@@ -4,10 +4,14 @@ use std::io::BufWriter;
 use std::path::{Path, PathBuf};
 
 use super::failure::Failure;
+use super::surface::SurfaceWords;
 use super::to_stdout;
 use crate::io::{Moment, is_series, read_series};
-use crate::output::{self, Format, Table, Target, joint_path, piece_path, write_collection, write_joint};
+use crate::output::{
+    self, Content, Format, Table, Target, joint_path, piece_path, write_collection, write_joint,
+};
 use crate::part::Part;
+use crate::sample::SamplePoints;
 
 /// The files of particles that the words name; a series stands for its files.
 pub(super) fn moments(words: Vec<PathBuf>) -> Result<Vec<Moment>, Failure> {
@@ -28,6 +32,8 @@ pub(super) struct Results {
     out: Option<PathBuf>,
     force: bool,
     part: Option<Part>,
+    /// What is written of a result, if not all of it.
+    surface: Option<SurfaceWords>,
     /// The place in the name where the number of a moment stands, and its digits; none where there is one result.
     number: Option<Number>,
 }
@@ -46,6 +52,7 @@ impl Results {
         out: Option<PathBuf>,
         force: bool,
         part: Option<Part>,
+        surface: Option<SurfaceWords>,
         is_series: bool,
     ) -> Result<Self, Failure> {
         let out = out.filter(|path| path != Path::new("/dev/stdout"));
@@ -55,7 +62,7 @@ impl Results {
                 "several files of particles have a result each: --out needs a name with a number in it, such as out_%04d.vti",
             ));
         }
-        Ok(Self { out, force, part, number })
+        Ok(Self { out, force, part, surface, number })
     }
 
     /// The file of this process for the result with this number.
@@ -98,10 +105,13 @@ impl Results {
     }
 
     /// Before the work: that all files can be written.
-    pub(super) fn check(&self, count: usize, is_grid: bool) -> Result<(), Failure> {
+    pub(super) fn check(&self, count: usize, at: &SamplePoints, content: Content) -> Result<(), Failure> {
+        if let Some(surface) = &self.surface {
+            surface.check(at, self.target(0).as_ref())?;
+        }
         for number in 0..count {
             let Some(target) = self.target(number) else { continue };
-            let format = target.check(is_grid)?;
+            let format = target.check(content)?;
             if self.part.is_some() && format.ending == ".png" {
                 return Err(Failure::usage("--part leaves a piece of the result: a picture has none"));
             }
@@ -115,7 +125,8 @@ impl Results {
 
     /// Whether parts of a grid share a layer, so that no gap is between them.
     pub(super) fn shares_layers(&self) -> bool {
-        self.out.as_deref().and_then(Format::of).is_some_and(|format| format.ending == ".vti")
+        let is_image = self.out.as_deref().and_then(Format::of).is_some_and(|format| format.ending == ".vti");
+        is_image || self.surface.is_some()
     }
 
     /// Writes the result with this number.
@@ -123,6 +134,9 @@ impl Results {
         let Some(target) = self.target(number) else {
             return to_stdout(output::write_csv(table, BufWriter::new(std::io::stdout().lock())));
         };
+        if let Some(surface) = &self.surface {
+            return surface.write(table, &target);
+        }
         output::write(table, &target)?;
         if let (Some(joint), Some(part), Some(whole)) = (self.joint(number), self.part, self.whole(number)) {
             write_joint(table, &self.file(joint), part, &whole)?;
@@ -158,7 +172,7 @@ mod tests {
 
     #[test]
     fn a_name_has_a_place_for_a_number() {
-        let results = |name: &str| Results::new(Some(name.into()), false, None, true);
+        let results = |name: &str| Results::new(Some(name.into()), false, None, None, true);
         for (name, first, all) in [
             ("out_%04d.vti", "out_0003.vti", Some("out.pvd")),
             ("a%b/out-%d.vtu", "a%b/out-3.vtu", Some("a%b/out.pvd")),
@@ -175,7 +189,7 @@ mod tests {
         }
         let part = Part::new(1, 4).unwrap();
         let results =
-            Results::new(Some("o_%d.vti".into()), false, Some(part), true).unwrap_or_else(|_| panic!());
+            Results::new(Some("o_%d.vti".into()), false, Some(part), None, true).unwrap_or_else(|_| panic!());
         assert_eq!(results.target(2).map(|target| target.path).as_deref(), Some(Path::new("o_2_1.vti")));
         assert_eq!(results.joint(2).as_deref(), Some(Path::new("o_2.pvti")));
     }

@@ -14,11 +14,12 @@ use super::results::{self, Results};
 use super::sample_messages::{explain, in_words};
 use super::say;
 use super::support::SupportArgs;
+use super::surface::{self, SurfaceWords};
 use crate::demo;
 use crate::estimate_choice::Estimate;
 use crate::io;
 use crate::kernel_choice::KernelName;
-use crate::output;
+use crate::output::{self, Content};
 use crate::part::Part;
 use crate::sample::{self, PartOfPoints, ParticleSource, Request, SamplePoints, Sampled, Taken};
 use crate::scalar_choice::ScalarName;
@@ -57,6 +58,12 @@ pub(super) struct SampleArgs {
     /// Also the gradients: NAME_dx, NAME_dy, NAME_dz
     #[arg(long)]
     gradient: bool,
+    /// Write the surface on which a column of the result has a value: triangles, to --out FILE.ply or FILE.obj
+    ///
+    /// It needs a --grid of three axes. Normals point to lower values; the gradient that they come from need not be asked for. For example:
+    /// fluisim sample demo:drop --grid 60,60,60 --bounds=-0.1,-0.1,-0.1,1.1,1.1,1.1 --surface density=500 --out drop.ply
+    #[arg(long, value_name = "NAME=LEVEL", value_parser = surface::words)]
+    surface: Option<SurfaceWords>,
 
     #[command(flatten)]
     input: InputArgs,
@@ -145,12 +152,13 @@ fn chunk_help() -> String {
 pub(super) fn run(mut args: SampleArgs) -> Result<(), Failure> {
     let words = std::mem::take(&mut args.particles);
     let is_series = words.len() > 1 || words.iter().any(|path| io::is_series(path));
-    let results = Results::new(args.out.clone(), args.force, args.part, is_series)?;
-    let is_grid = args.grid.is_some();
+    let results = Results::new(args.out.clone(), args.force, args.part, args.surface.clone(), is_series)?;
     let moments = results::moments(words)?;
     let requests = moments.iter().map(|moment| request(&args, moment.path.clone(), &results));
     let requests = requests.collect::<Result<Vec<_>, _>>()?;
-    results.check(requests.len(), is_grid)?;
+    if let Some(request) = requests.first() {
+        results.check(requests.len(), &request.at, content(request))?;
+    }
     for (number, request) in requests.iter().enumerate() {
         let sampled = sample_one(request, &args)?;
         let start = Instant::now();
@@ -177,6 +185,15 @@ fn sample_one(request: &Request, args: &SampleArgs) -> Result<Sampled, Failure> 
         say(&format!("units: {}", units_line(&sampled)));
     }
     Ok(sampled)
+}
+
+/// What the result's file will hold.
+fn content(request: &Request) -> Content {
+    match request.at {
+        _ if request.surface.is_some() => Content::Surface,
+        SamplePoints::Grid { .. } => Content::Grid,
+        SamplePoints::At(_) | SamplePoints::AtParticles => Content::Points,
+    }
 }
 
 /// What the words ask for, where they are words that can be.
@@ -212,7 +229,8 @@ fn request(args: &SampleArgs, particles: PathBuf, results: &Results) -> Result<R
         kernel: args.kernel,
         dim,
         quantities: args.quantities.clone(),
-        gradient: args.gradient,
+        gradient: args.gradient || args.surface.is_some(),
+        surface: args.surface.as_ref().map(|surface| surface.column.clone()),
         support: args.support.source()?,
         only,
         periodic: corners(&args.periodic),

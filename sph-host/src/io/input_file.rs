@@ -99,7 +99,11 @@ impl InputFile {
         };
         let ending = match &self.format {
             Some(format) => format!(".{}", format.trim_start_matches('.')),
-            None => self.path.file_name().map(|name| name.display().to_string()).unwrap_or_default(),
+            // a name that begins with a dot has no ending by it
+            None => {
+                let name = self.path.file_name().map(|name| name.display().to_string());
+                name.unwrap_or_default().trim_start_matches('.').to_owned()
+            }
         };
         let ending = ending.to_ascii_lowercase();
         let (inner, is_packed) = match ending.strip_suffix(".gz") {

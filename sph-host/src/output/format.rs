@@ -6,7 +6,7 @@ use std::fs::File;
 use std::io::{self, BufWriter};
 use std::path::Path;
 
-use super::{Table, csv, npz, png, vtk_legacy, vtk_xml};
+use super::{Surface, Table, csv, npz, obj, ply, png, vtk_legacy, vtk_xml, xyz};
 use crate::picture::PictureError;
 
 /// Where a format's function writes to.
@@ -16,8 +16,8 @@ pub(super) type Output<'a> = BufWriter<&'a mut File>;
 pub(super) enum Unwritten {
     Io(io::Error),
     Picture(PictureError),
-    /// Only a grid can be written so.
-    NoGrid,
+    /// What cannot be written so.
+    Unfit(Content),
 }
 
 impl From<io::Error> for Unwritten {
@@ -32,6 +32,17 @@ impl From<PictureError> for Unwritten {
     }
 }
 
+/// What a file can hold.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Content {
+    /// Points that are no grid.
+    Points,
+    /// The cell centres of a grid.
+    Grid,
+    /// The triangles of a surface.
+    Surface,
+}
+
 /// A format that is written, chosen by the ending of the path in any case of letters.
 #[derive(Clone, Copy, Debug)]
 pub struct Format {
@@ -39,9 +50,12 @@ pub struct Format {
     pub ending: &'static str,
     /// What is written, in a few words.
     pub about: &'static str,
-    /// Whether only a grid can be written so.
-    pub needs_grid: bool,
+    /// What can be written so.
+    pub holds: &'static [Content],
+    /// Whether names of columns stay as they are; else what is no letter of A to Z, digit or `_` becomes `_`.
+    pub keeps_names: bool,
     pub(super) write: fn(&Table, &mut Output<'_>) -> Result<(), Unwritten>,
+    pub(super) write_surface: fn(&Surface, &mut Output<'_>) -> Result<(), Unwritten>,
 }
 
 impl Format {
@@ -53,15 +67,36 @@ impl Format {
     }
 }
 
+/// Formats that hold no surface.
+fn no_surface(_: &Surface, _: &mut Output<'_>) -> Result<(), Unwritten> {
+    Err(Unwritten::Unfit(Content::Surface))
+}
+
+/// The function that writes surfaces, where there is one.
+macro_rules! of_surfaces {
+    () => {
+        no_surface
+    };
+    ($write:expr) => {
+        $write
+    };
+}
+
 macro_rules! formats {
-    ($($ending:literal $about:literal $needs_grid:literal $write:expr;)+) => {
+    ($($ending:literal $about:literal [$($content:ident)+] $keeps_names:literal $write:expr $(, surface $surface:expr)?;)+) => {
         /// Every format that is written.
         ///
         /// | ending | what is written |
         /// |---|---|
         $(#[doc = concat!("| `", $ending, "` | ", $about, " |")])+
-        pub const FORMATS: &[Format] =
-            &[$(Format { ending: $ending, about: $about, needs_grid: $needs_grid, write: $write }),+];
+        pub const FORMATS: &[Format] = &[$(Format {
+            ending: $ending,
+            about: $about,
+            holds: &[$(Content::$content),+],
+            keeps_names: $keeps_names,
+            write: $write,
+            write_surface: of_surfaces!($($surface)?),
+        }),+];
 
         /// The endings of all [`FORMATS`].
         pub const ENDINGS: &[&str] = &[$($ending),+];
@@ -69,18 +104,26 @@ macro_rules! formats {
 }
 
 formats! {
-    ".csv" "RFC 4180 with a header" false
+    ".csv" "RFC 4180 with a header" [Points Grid] true
         |table, output| Ok(csv::write_rows(table, b',', output)?);
-    ".tsv" "the same with tabs between the cells" false
+    ".tsv" "the same with tabs between the cells" [Points Grid] true
         |table, output| Ok(csv::write_rows(table, b'\t', output)?);
-    ".npz" "NumPy's archive, one array a column" false
+    ".npz" "NumPy's archive, one array a column" [Points Grid] true
         |table, output| Ok(npz::write(table, output)?);
-    ".vtk" "VTK's legacy format, binary: a grid is `STRUCTURED_POINTS`, points are vertices" false
+    ".vtk" "VTK's legacy format, binary: a grid is `STRUCTURED_POINTS`, points are vertices" [Points Grid] true
         |table, output| Ok(vtk_legacy::write(table, output)?);
-    ".vtu" "VTK's XML: vertices, or a grid's cell centres joined by lines, quadrilaterals or hexahedra" false
+    ".vtu" "VTK's XML: vertices, or a grid's cell centres joined by lines, quadrilaterals or hexahedra" [Points Grid] true
         |table, output| Ok(vtk_xml::write_unstructured(table, output)?);
-    ".vti" "VTK's XML: image data of a grid" true
-        |table, output| Ok(vtk_xml::write_image(table, table.grid.as_ref().ok_or(Unwritten::NoGrid)?, output)?);
-    ".png" "a picture of a grid" true
+    ".vti" "VTK's XML: image data of a grid" [Grid] true
+        |table, output| Ok(vtk_xml::write_image(table, table.grid.as_ref().ok_or(Unwritten::Unfit(Content::Points))?, output)?);
+    ".png" "a picture of a grid" [Grid] true
         |table, output| Ok(png::draw(table)?.write_png(output)?);
+    ".xyz" "extended XYZ: points, or a grid's cell centres, as atoms of species X with a property for each column" [Points Grid] false
+        |table, output| Ok(xyz::write(table, output)?);
+    ".ply" "binary PLY: points as vertices, or the triangles of a surface" [Points Surface] false
+        |table, output| Ok(ply::write_points(table, output)?),
+        surface |surface, output| Ok(ply::write_surface(surface, output)?);
+    ".obj" "Wavefront OBJ: the triangles of a surface" [Surface] false
+        |table, _| Err(Unwritten::Unfit(table.content())),
+        surface |surface, output| Ok(obj::write(surface, output)?);
 }

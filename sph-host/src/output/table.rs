@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use thiserror::Error;
 
-use super::Grid;
+use super::{Content, Grid};
 
 /// How many bits the values of a table carry.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -109,6 +109,12 @@ impl Table {
     #[must_use]
     pub fn points(&self) -> usize {
         self.coordinates.first().map_or(0, |column| column.values.len())
+    }
+
+    /// Whether the points are a grid.
+    #[must_use]
+    pub fn content(&self) -> Content {
+        if self.grid.is_some() { Content::Grid } else { Content::Points }
     }
 
     /// Coordinates, then values, in the order of writing.

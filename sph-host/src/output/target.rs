@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use thiserror::Error;
 
-use super::format::{FORMATS, Format, Output, Unwritten};
+use super::format::{Content, FORMATS, Format, Output, Unwritten};
 use super::interrupt::Unfinished;
 use super::table::TableError;
 use crate::io::unknown_ending;
@@ -18,12 +18,16 @@ pub enum WriteError {
     /// The ending of the path names no format.
     #[error("{}: {}: one of {} is expected", .0.display(), unknown_ending(.0), endings(|_| true))]
     UnknownEnding(PathBuf),
-    /// A picture or image data of points that are no grid.
+    /// Something that this format does not hold, such as image data of points that are no grid.
     #[error(
-        "{}: {} is written, but the points are no grid; points can be written as one of {}", .0.display(), about(.0),
-        endings(|format| !format.needs_grid)
+        "{}: this ending is for {}, but {}; {}", path.display(), about(path), is_instead(path, *content), holders(*content)
     )]
-    NeedsGrid(PathBuf),
+    Unfit {
+        /// The target.
+        path: PathBuf,
+        /// What was to be written.
+        content: Content,
+    },
     /// The target exists and may not be replaced.
     #[error("{}: the file exists already and is kept", .0.display())]
     Exists(PathBuf),
@@ -66,7 +70,28 @@ pub enum WriteError {
 }
 
 fn about(path: &Path) -> &'static str {
-    Format::of(path).map_or("a grid", |format| format.about)
+    Format::of(path).map_or("something else", |format| format.about)
+}
+
+/// What there is instead of what a format holds.
+fn is_instead(path: &Path, content: Content) -> &'static str {
+    let needs_grid = Format::of(path).is_some_and(|format| format.holds.contains(&Content::Grid));
+    match content {
+        Content::Surface => "this is a surface",
+        Content::Points if needs_grid => "the points are no grid",
+        Content::Points => "these are points",
+        Content::Grid => "this is a grid without a surface",
+    }
+}
+
+/// The formats that hold something.
+fn holders(content: Content) -> String {
+    let what = match content {
+        Content::Points => "points",
+        Content::Grid => "a grid",
+        Content::Surface => "a surface",
+    };
+    format!("{what} can be written as one of {}", endings(|format| format.holds.contains(&content)))
 }
 
 /// The endings of some formats, with commas between.
@@ -79,7 +104,7 @@ impl WriteError {
     /// Whether the words of the command line are wrong (exit status 2) rather than files or data (exit status 1).
     #[must_use]
     pub fn is_usage(&self) -> bool {
-        matches!(self, Self::UnknownEnding(_) | Self::NeedsGrid(_))
+        matches!(self, Self::UnknownEnding(_) | Self::Unfit { .. })
     }
 }
 
@@ -98,16 +123,16 @@ impl Target {
         Self { path: path.into(), force: false }
     }
 
-    /// Before the work: is the ending known, can it hold what is coming (`grid`: on a grid), is the place free and writable?
+    /// Before the work: is the ending known, can it hold what is coming, is the place free and writable?
     ///
     /// # Errors
     ///
-    /// [`WriteError::UnknownEnding`] and [`WriteError::NeedsGrid`] first, for they are seen without looking at any file;
+    /// [`WriteError::UnknownEnding`] and [`WriteError::Unfit`] first, for they are seen without looking at any file;
     /// then what [`Target::check_place`] reports.
-    pub fn check(&self, grid: bool) -> Result<&'static Format, WriteError> {
+    pub fn check(&self, content: Content) -> Result<&'static Format, WriteError> {
         let format = Format::of(&self.path).ok_or_else(|| WriteError::UnknownEnding(self.path.clone()))?;
-        if format.needs_grid && !grid {
-            return Err(WriteError::NeedsGrid(self.path.clone()));
+        if !format.holds.contains(&content) {
+            return Err(WriteError::Unfit { path: self.path.clone(), content });
         }
         self.check_place()?;
         Ok(format)
@@ -155,7 +180,7 @@ impl Target {
         fill(&mut writer).and_then(|()| Ok(writer.flush()?)).map_err(|unwritten| match unwritten {
             Unwritten::Io(source) => failed(source),
             Unwritten::Picture(error) => WriteError::Picture(error),
-            Unwritten::NoGrid => WriteError::NeedsGrid(self.path.clone()),
+            Unwritten::Unfit(content) => WriteError::Unfit { path: self.path.clone(), content },
         })?;
         drop(writer);
         unfinished.sync().map_err(failed)?;

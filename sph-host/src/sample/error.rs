@@ -159,6 +159,16 @@ pub enum SampleError {
         /// What gives the second.
         second: String,
     },
+    /// The result would not have the column that a surface is to be taken of.
+    #[error("{file}: the result has no column `{name}`, but {known}")]
+    NoColumn {
+        /// The particles' file.
+        file: String,
+        /// The column's name.
+        name: String,
+        /// The names that there are.
+        known: String,
+    },
     /// Points of other dimensions than the particles.
     #[error("{file}: its points have the coordinates {own}, the particles of {particles} {theirs}")]
     PointCoordinates {

@@ -16,6 +16,7 @@
 //!     dim: None,
 //!     quantities: vec!["pressure".into()],
 //!     gradient: false,
+//!     surface: None,
 //!     support: None,
 //!     only: Vec::new(),
 //!     periodic: None,

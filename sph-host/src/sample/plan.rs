@@ -50,6 +50,7 @@ impl<'a> Plan<'a> {
         let units = with_scalar!(request.scalar, T => Units::of::<T>(&span, &axes));
         let columns = columns(&span, &axes, &units, request.gradient);
         require_one_name_each(&span, points, &columns)?;
+        require_surface_column(request, &span, points, &columns)?;
         let precision = if request.scalar == ScalarName::F32 { Precision::F32 } else { Precision::F64 };
         Ok(Self { request, span, particles, axes, units, columns, precision })
     }
@@ -176,4 +177,23 @@ fn require_one_name_each(span: &Span, points: &Points, columns: &[OutputColumn])
         }
     }
     Ok(())
+}
+
+/// That the result has the column that a surface is to be taken of.
+fn require_surface_column(
+    request: &Request,
+    span: &Span,
+    points: &Points,
+    columns: &[OutputColumn],
+) -> Result<(), SampleError> {
+    let Some(name) = &request.surface else { return Ok(()) };
+    let known: Vec<&str> = points
+        .axes()
+        .map(|axis| AXES[axis])
+        .chain(columns.iter().map(|column| column.name.as_str()))
+        .collect();
+    if known.contains(&name.as_str()) {
+        return Ok(());
+    }
+    Err(SampleError::NoColumn { file: span.file.clone(), name: name.clone(), known: known.join(", ") })
 }

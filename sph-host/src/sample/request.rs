@@ -69,6 +69,8 @@ pub struct Request {
     pub quantities: Vec<String>,
     /// Whether gradients are wanted too.
     pub gradient: bool,
+    /// The column of the result that a surface will be taken of; a result without it is refused before the sums.
+    pub surface: Option<String>,
     /// Support radii; none: the set's own, or an error.
     pub support: Option<SupportFrom>,
     /// Particles are taken where all of these hold.

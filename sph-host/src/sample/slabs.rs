@@ -246,6 +246,7 @@ mod tests {
             dim: None,
             quantities: Vec::new(),
             gradient: false,
+            surface: None,
             support: Some(SupportFrom::Radius(0.5)),
             only: Vec::new(),
             periodic: None,

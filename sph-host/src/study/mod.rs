@@ -129,6 +129,7 @@ impl Request {
             dim: self.dim,
             quantities: self.fields.clone(),
             gradient: true,
+            surface: None,
             support: self.support.clone(),
             only: self.only.clone(),
             periodic: None,

@@ -26,5 +26,6 @@ mod series;
 mod spreadsheets;
 mod study;
 mod support;
+mod surfaces;
 mod units;
 mod words;
