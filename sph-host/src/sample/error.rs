@@ -207,7 +207,7 @@ pub enum SampleError {
         /// How many points there would be.
         points: f64,
         /// Where they were asked for.
-        at: SamplePoints,
+        at: Box<SamplePoints>,
         /// The particles of a built-in set, where their number was given.
         particles: Option<usize>,
         /// Bytes needed.

@@ -22,5 +22,5 @@ pub(super) fn refuse_oversize(request: &Request) -> Result<(), SampleError> {
     // coordinates and columns as f64; a built-in set's particles with what sums need of them
     let needed = points * 8.0 * (dim as f64 + columns) + count * 8.0 * 16.0;
     let Some(available) = memory::short_of(needed) else { return Ok(()) };
-    Err(SampleError::TooLarge { points, at: request.at.clone(), particles, needed, available })
+    Err(SampleError::TooLarge { points, at: Box::new(request.at.clone()), particles, needed, available })
 }

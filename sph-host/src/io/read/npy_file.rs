@@ -11,7 +11,7 @@ use super::npz::{Member, assemble};
 use super::open;
 use crate::io::InputFile;
 use crate::io::error::{Parsed, Problem, counted};
-use crate::io::names::check_names;
+use crate::io::names::{AXES, check_names};
 use crate::io::table::{PointTable, Unusable};
 use std::io::Read;
 
@@ -34,14 +34,28 @@ pub(super) fn read(file: &InputFile) -> Parsed<PointTable> {
 /// The positions of an array without fields.
 fn positions(header: Header, data: &[u8], budget: &Budget) -> Result<Vec<Member>, String> {
     let form = header.stored().ok_or_else(|| header.refusal())?;
-    if !matches!(header.shape[..], [_, 1..=3]) {
+    let &[count, axes @ 1..=3] = &header.shape[..] else {
         return Err(format!(
             "shape {:?}, where positions of shape [points, 1 to 3], or records with fields, are expected",
             header.shape
         ));
+    };
+    let (size, length) = (form.0.bytes(1).unwrap_or(0), form.0.bytes(axes).unwrap_or(0));
+    if header.fortran_order || count.checked_mul(length) != Some(data.len()) {
+        let values = header.numbers(form, data, budget)?;
+        return Ok(vec![Member { name: "pos".to_owned(), shape: header.shape, values: Ok(values) }]);
     }
-    let values = header.numbers(form, data, budget)?;
-    Ok(vec![Member { name: "pos".to_owned(), shape: header.shape, values: Ok(values) }])
+    // Positions point by point are records of their axes.
+    let axis = |(axis, name): (usize, &&str)| Field {
+        name: (*name).to_owned(),
+        offset: axis * size,
+        components: 1,
+        form: Ok(form),
+    };
+    let fields: Vec<Field> = AXES[..axes].iter().enumerate().map(axis).collect();
+    let columns = columns(data, length, &fields, budget);
+    let member = |(field, values): (Field, _)| Member { name: field.name, shape: vec![count], values };
+    Ok(fields.into_iter().zip(columns).map(member).collect())
 }
 
 /// The fields of records as arrays.
