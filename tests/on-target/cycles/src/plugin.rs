@@ -3,14 +3,11 @@
 //! The interface has versions. This is version 1, of QEMU 6.0 to 8.2; a later QEMU says that it wants a newer one and does not start.
 
 use crate::account::Account;
-use crate::instruction;
 use std::ffi::{CStr, c_char, c_int, c_uint, c_void};
 use std::fmt::Write;
 use std::path::PathBuf;
 use std::ptr;
 use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError};
-
-const _: () = assert!(usize::BITS == 64, "an address and an instruction share a pointer");
 
 /// The version of the interface, which QEMU reads.
 #[unsafe(no_mangle)]
@@ -98,33 +95,25 @@ extern "C" fn translated(_id: u64, block: *mut Block) {
             let handle = qemu_plugin_tb_get_insn(block, index);
             let bytes =
                 std::slice::from_raw_parts(qemu_plugin_insn_data(handle), qemu_plugin_insn_size(handle));
-            let data = pack(qemu_plugin_insn_vaddr(handle) as u32, bytes);
+            let number = learn(qemu_plugin_insn_vaddr(handle) as u32, bytes);
+            let data = ptr::without_provenance_mut(number); // handed back, never read
             qemu_plugin_register_vcpu_insn_exec_cb(handle, executed, NO_REGISTERS, data);
         }
     }
 }
 
-/// QEMU is about to execute an instruction.
-extern "C" fn executed(_processor: c_uint, data: *mut c_void) {
-    let (address, first, second) = unpack(data);
-    account().execute(address, first, second);
-}
-
-/// Address and halfwords in the pointer that QEMU hands back.
-fn pack(address: u32, bytes: &[u8]) -> *mut c_void {
+/// The number of an instruction that lies at an address, from its bytes.
+fn learn(address: u32, bytes: &[u8]) -> usize {
     let halfword = |at: usize| match bytes.get(at..at + 2) {
         Some(&[low, high]) => u16::from_le_bytes([low, high]),
-        _ => 0,
+        _ => 0, // a narrow one has no second
     };
-    let first = halfword(0);
-    let second = if instruction::is_wide(first) { halfword(2) } else { 0 };
-    let packed = u64::from(address) << 32 | u64::from(first) << 16 | u64::from(second);
-    ptr::without_provenance_mut(packed as usize)
+    account().learn(address, halfword(0), halfword(2))
 }
 
-fn unpack(data: *mut c_void) -> (u32, u16, u16) {
-    let packed = data.addr() as u64;
-    ((packed >> 32) as u32, (packed >> 16) as u16, packed as u16)
+/// QEMU is about to execute an instruction.
+extern "C" fn executed(_processor: c_uint, data: *mut c_void) {
+    account().execute(data.addr());
 }
 
 /// QEMU ends: writes a line for each region.

@@ -5,9 +5,6 @@ use core::hint::black_box;
 use sph_core::fluid::{OpenBox, Particle, PositionBasedFluid, Raster};
 use sph_core::scalar::compact::Compact;
 
-/// How many frames a row is the mean of.
-pub const FRAMES: u32 = 60;
-
 /// Does the work in a region, between the two instructions that the plugin looks for; neither does anything.
 #[inline(always)]
 pub fn region(work: impl FnOnce()) {
@@ -20,10 +17,13 @@ pub fn region(work: impl FnOnce()) {
 
 /// A square pendant of `SIDE` × `SIDE` cells that `CAP` particles fill half, counted frame by frame, then drawn once on 16 × 16 pixels.
 ///
-/// Gravity points down for half of the frames and then to the side, as when a pendant is turned. Before each group of regions it logs
+/// Gravity points down for half of the `frames` and then to the side, as when a pendant is turned. Before each group of regions it logs
 /// the scalar, the particles, what is done and how many regions follow. False when a particle was refused or lost.
 #[inline(never)]
-pub fn pendant<T: Compact, const CAP: usize, const SIDE: usize, const CELLS: usize>(scalar: &str) -> bool {
+pub fn pendant<T: Compact, const CAP: usize, const SIDE: usize, const CELLS: usize>(
+    scalar: &str,
+    frames: u32,
+) -> bool {
     let side = T::ratio(10 * SIDE as i32 - 1, 10);
     let mut fluid = PositionBasedFluid::<T, OpenBox<T, 2>, 2, CAP, CELLS>::new(OpenBox::new([side; 2]));
     for k in 0..CAP {
@@ -32,10 +32,10 @@ pub fn pendant<T: Compact, const CAP: usize, const SIDE: usize, const CELLS: usi
             return false;
         }
     }
-    defmt::println!("{=str},{=usize},frame,{=u32}", scalar, CAP, FRAMES);
+    defmt::println!("{=str},{=usize},frame,{=u32}", scalar, CAP, frames);
     let g = T::ratio(-5, 1000);
-    for frame in 0..FRAMES {
-        let gravity = if frame < FRAMES / 2 { [T::ZERO, g] } else { [g, T::ZERO] };
+    for frame in 0..frames {
+        let gravity = if frame < frames / 2 { [T::ZERO, g] } else { [g, T::ZERO] };
         region(|| fluid.step(black_box(gravity)));
     }
     defmt::println!("{=str},{=usize},raster 16 x 16,1", scalar, CAP);
@@ -46,7 +46,9 @@ pub fn pendant<T: Compact, const CAP: usize, const SIDE: usize, const CELLS: usi
     fluid.len() == CAP
 }
 
-/// Pendants of 50, 100 and 200 particles.
-pub fn pendants<T: Compact>(scalar: &str) -> bool {
-    pendant::<T, 50, 5, 25>(scalar) && pendant::<T, 100, 7, 49>(scalar) && pendant::<T, 200, 10, 100>(scalar)
+/// Pendants of 50, 100 and 200 particles, for so many frames.
+pub fn pendants<T: Compact>(scalar: &str, frames: u32) -> bool {
+    pendant::<T, 50, 5, 25>(scalar, frames)
+        && pendant::<T, 100, 7, 49>(scalar, frames)
+        && pendant::<T, 200, 10, 100>(scalar, frames)
 }

@@ -1,4 +1,5 @@
-//! Cycles of a frame on a Cortex-M0 and a Cortex-M0+, which a plugin of QEMU adds up, and the frames a second that follow.
+//! Cycles of a frame on a Cortex-M0 and a Cortex-M0+, and bounds of them on a Cortex-M4, which a plugin of QEMU adds up, and the
+//! frames a second that follow.
 
 mod pendants;
 mod region;
@@ -7,7 +8,7 @@ mod rp2040js;
 use crate::compile::{self, Firmware};
 use crate::qemu;
 use crate::table;
-use crate::target::{M0, Target};
+use crate::target::{M0, M4F, Target};
 use anyhow::{Context, Result, ensure};
 use pendants::Pendant;
 use region::Region;
@@ -23,11 +24,13 @@ pub(crate) fn check(update: bool) -> Result<bool> {
         return Ok(true);
     }
     let mut good = known(&plugin)?;
-    let fixed = pendants(&plugin, "cycles_i16f16")?;
-    let mut all = pendants(&plugin, "cycles_f32")?;
-    all.extend(fixed.iter().cloned());
+    let fixed = pendants(&plugin, M0, "cycles_i16f16")?;
+    let mut all = fixed.clone();
+    for (target, binary) in [(M0, "cycles_f32"), (M4F, "cycles_i16f16"), (M4F, "cycles_f32")] {
+        all.extend(pendants(&plugin, target, binary)?);
+    }
     let rows: Vec<String> = all.iter().flat_map(Pendant::rows).collect();
-    good &= table::check("cycles.csv", "scalar,particles,work,quantity,number", &rows, update)?;
+    good &= table::check("cycles.csv", "target,scalar,particles,work,quantity,number", &rows, update)?;
     pendants::print_frames_a_second(&all);
     good &= rp2040js::agrees(&fixed)?;
     Ok(good)
@@ -44,7 +47,7 @@ fn plugin() -> Result<PathBuf> {
 /// Loops whose cycles are known by hand; true when each has exactly them.
 fn known(plugin: &Path) -> Result<bool> {
     let firmware = build(&M0, "cycles_known")?;
-    let (log, regions) = run(plugin, &firmware)?;
+    let (log, regions) = run(plugin, &M0, &firmware)?;
     ensure!(log.len() == regions.len(), "{} loops, {} regions", log.len(), regions.len());
     let mut good = true;
     for (line, region) in log.iter().zip(regions) {
@@ -66,10 +69,9 @@ fn known(plugin: &Path) -> Result<bool> {
     Ok(good)
 }
 
-fn pendants(plugin: &Path, binary: &str) -> Result<Vec<Pendant>> {
-    let firmware = build(&M0, binary)?;
-    let (log, regions) = run(plugin, &firmware)?;
-    Pendant::read(&log, &regions)
+fn pendants(plugin: &Path, target: Target, binary: &str) -> Result<Vec<Pendant>> {
+    let (log, regions) = run(plugin, &target, &build(&target, binary)?)?;
+    Pendant::read(target, &log, &regions)
 }
 
 fn build(target: &Target, binary: &str) -> Result<Firmware> {
@@ -78,10 +80,10 @@ fn build(target: &Target, binary: &str) -> Result<Firmware> {
 }
 
 /// The log of the firmware, and its regions.
-fn run(plugin: &Path, firmware: &Firmware) -> Result<(Vec<String>, Vec<Region>)> {
+fn run(plugin: &Path, target: &Target, firmware: &Firmware) -> Result<(Vec<String>, Vec<Region>)> {
     let out = scratch(&firmware.name);
     let argument = format!("{},out={}", plugin.display(), out.display());
-    let outcome = qemu::run(&M0, &firmware.path, &["-plugin", &argument])?;
+    let outcome = qemu::run(target, &firmware.path, &["-plugin", &argument])?;
     ensure!(outcome.success, "{} failed: {:?}", firmware.name, outcome.log.last());
     let text = std::fs::read_to_string(&out).with_context(|| format!("cannot read {}", out.display()))?;
     Ok((outcome.log, region::read(&text)?))

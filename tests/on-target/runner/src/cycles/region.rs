@@ -10,10 +10,14 @@ pub(crate) struct Region {
     pub(crate) m0: u64,
     /// Cycles on a Cortex-M0+.
     pub(crate) m0_plus: u64,
-    /// Instructions that have no published number.
+    /// Instructions without a published number for these two.
     pub(crate) unknown: u64,
     /// PUSH with the link register and POP with the program counter.
     pub(crate) linked: u64,
+    /// Cycles on a Cortex-M4, at least and at most.
+    pub(crate) m4: [u64; 2],
+    /// Instructions without bounds for a Cortex-M4.
+    pub(crate) m4_unknown: u64,
 }
 
 /// The numbers of each line, of which there are `N`.
@@ -29,12 +33,14 @@ pub(crate) fn numbers<const N: usize>(text: &str) -> Result<Vec<[u64; N]>> {
 
 /// Reads the plugin's lines.
 pub(crate) fn read(text: &str) -> Result<Vec<Region>> {
-    let region = |[instructions, m0, m0_plus, unknown, linked]: [u64; 5]| Region {
+    let region = |[instructions, m0, m0_plus, unknown, linked, low, high, m4_unknown]: [u64; 8]| Region {
         instructions,
         m0,
         m0_plus,
         unknown,
         linked,
+        m4: [low, high],
+        m4_unknown,
     };
     Ok(numbers(text)?.into_iter().map(region).collect())
 }
