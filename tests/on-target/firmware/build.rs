@@ -4,11 +4,12 @@ use std::{env, fs, path::PathBuf};
 
 /// The machines and their memory: flash and RAM, each origin and length; and the target that is run on each, unless
 /// `FLUISIM_MACHINE` names another machine.
-const MACHINES: [(&str, &str, &str, &str); 5] = [
+const MACHINES: [(&str, &str, &str, &str); 6] = [
     ("microbit", "0x00000000, LENGTH = 256K", "0x20000000, LENGTH = 16K", "thumbv6m-none-eabi"),
     ("lm3s6965evb", "0x00000000, LENGTH = 256K", "0x20000000, LENGTH = 64K", "thumbv7m-none-eabi"),
     ("mps2-an386", "0x00000000, LENGTH = 4M", "0x20000000, LENGTH = 4M", "thumbv7em-none-eabihf"),
     ("mps2-an505", "0x10000000, LENGTH = 4M", "0x38000000, LENGTH = 4M", "thumbv8m.main-none-eabihf"),
+    ("rp2040", "0x10000000, LENGTH = 2M", "0x20000000, LENGTH = 256K", "thumbv6m-none-eabi"), // of rp2040js, not QEMU
     ("virt", "", "0x80000000, LENGTH = 16M", "riscv32imc-unknown-none-elf"),
 ];
 

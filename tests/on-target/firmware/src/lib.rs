@@ -3,6 +3,8 @@
 #![no_std]
 
 pub mod clock;
+#[cfg(target_arch = "arm")]
+pub mod cycles;
 pub mod fluid;
 #[cfg(target_arch = "arm")]
 pub mod stack;

@@ -4,6 +4,7 @@ use crate::target::{TARGETS, Target};
 use crate::toolchain::Toolchain;
 use anyhow::{Context, Result, bail};
 use cargo_metadata::Message;
+use std::env::consts::DLL_EXTENSION;
 use std::io::BufReader;
 use std::path::PathBuf;
 use std::process::{Command, Stdio};
@@ -61,7 +62,10 @@ pub(crate) fn run(mut command: Command) -> Result<Vec<Firmware>> {
     let mut built = Vec::new();
     for message in Message::parse_stream(BufReader::new(stdout)) {
         if let Message::CompilerArtifact(artifact) = message? {
-            let is_library = |ending: Option<&str>| matches!(ending, Some("wasm" | "a"));
+            let plugin = artifact.target.is_cdylib().then_some(DLL_EXTENSION);
+            let is_library = |ending: Option<&str>| {
+                matches!(ending, Some("wasm" | "a")) || ending.is_some() && ending == plugin
+            };
             let module = artifact.filenames.iter().find(|file| is_library(file.extension()));
             if let Some(path) = artifact.executable.as_ref().or(module) {
                 built.push(Firmware { name: artifact.target.name, path: path.into() });

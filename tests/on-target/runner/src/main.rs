@@ -3,6 +3,7 @@
 mod c;
 mod compile;
 mod counts;
+mod cycles;
 mod digests;
 mod elf;
 mod fluid;
@@ -25,9 +26,9 @@ use toolchain::Toolchain;
 const USAGE: &str = "usage: tests/on-target/run [OPTION]
 
 Without an option, everything: the suites and the digests under QEMU, the search for panics, the footprint, the
-counts of instructions, the fluid, the example for real chips, the C library, the page for browsers.
+counts of instructions, the fluid, its cycles, the example for real chips, the C library, the page for browsers.
 
-  --only PART         one of: suites, self-check, digests, panics, footprint, counts, fluid, hardware, c, web
+  --only PART         one of: suites, self-check, digests, panics, footprint, counts, fluid, cycles, hardware, c, web
   --self-check        the same as --only self-check
   --overflow-checks   what can panic when integer overflow is checked; judges nothing
   --update            replaces the committed tables
@@ -91,7 +92,7 @@ fn run(options: &Options) -> Result<bool> {
     if options.overflow_checks {
         return panics::with_overflow_checks().map(|()| true);
     }
-    let parts: [(&str, &dyn Fn() -> Result<bool>); 10] = [
+    let parts: [(&str, &dyn Fn() -> Result<bool>); 11] = [
         ("suites", &suites::check),
         ("self-check", &suites::self_check),
         ("digests", &digests::check),
@@ -99,6 +100,7 @@ fn run(options: &Options) -> Result<bool> {
         ("footprint", &|| footprint::check(options.update)),
         ("counts", &|| counts::check(options.update)),
         ("fluid", &|| fluid::check(options.update)),
+        ("cycles", &|| cycles::check(options.update)),
         ("hardware", &hardware::check),
         ("c", &|| c::check(options.update)),
         ("web", &web::check),

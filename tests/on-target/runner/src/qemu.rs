@@ -3,14 +3,14 @@
 use crate::target::Target;
 use anyhow::{Context, Result, bail};
 use defmt_decoder::{DecodeError, Table};
-use std::io::Read;
+use std::io::{Read, Write};
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
 use std::thread;
 use std::time::{Duration, Instant};
 
 /// Firmware that runs longer than this is taken to hang.
-const PATIENCE: Duration = Duration::from_secs(120);
+const PATIENCE: Duration = Duration::from_secs(600);
 
 /// What a run came to.
 #[derive(Clone, Debug)]
@@ -37,6 +37,23 @@ pub(crate) fn run_printing(target: &Target, elf: &Path) -> Result<Outcome> {
     let printed = errors.replace("Timer with period zero, disabling\n", "");
     let text = String::from_utf8_lossy(&bytes) + printed.as_str();
     Ok(Outcome { success, log: text.lines().map(str::to_owned).collect() })
+}
+
+/// What QEMU says when it does not take a plugin that writes to `out`, and nothing when it does.
+pub(crate) fn refuses(plugin: &Path, out: &Path) -> Result<Option<String>> {
+    let argument = format!("{},out={}", plugin.display(), out.display());
+    let mut child = Command::new("qemu-system-arm")
+        .args(["-machine", "none", "-display", "none", "-monitor", "stdio", "-plugin", &argument])
+        .stdin(Stdio::piped())
+        .stdout(Stdio::null())
+        .stderr(Stdio::piped())
+        .spawn()
+        .context("cannot start qemu-system-arm")?;
+    // one that refuses has ended before it reads this
+    let _ = child.stdin.take().context("QEMU's input is piped")?.write_all(b"quit\n");
+    let output = child.wait_with_output()?;
+    let errors = String::from_utf8_lossy(&output.stderr).trim().to_owned();
+    Ok((!output.status.success()).then_some(errors))
 }
 
 /// Whether it ended well, and what came out of both streams.
