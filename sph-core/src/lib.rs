@@ -28,7 +28,7 @@
 //! # Pages
 //!
 //! On real microcontrollers: [`hardware`], from a `static` to the probe. How fast the sums converge, measured: [`convergence`]. How
-//! to use the fluid for pendants: [`fluid::guide`].
+//! to use the fluid for pendants: [`fluid::guide`]; from the parts to one that runs: [`pendant`].
 //!
 //! # Features
 //!
@@ -53,6 +53,8 @@ pub mod influence;
 pub mod kernel;
 pub mod lane;
 pub mod neighbours;
+#[doc = include_str!("../docs/pendant.md")]
+pub mod pendant {}
 pub mod quadrature;
 pub mod samples;
 pub mod scalar;

@@ -51,11 +51,7 @@ const DRAWN: usize = 200;
 
 /// Counts the instructions of a raster and logs them a particle, as those of a frame are.
 #[inline(never)]
-fn draw<T: Compact, const W: usize, const H: usize>(
-    particles: &[Particle<T, 2>],
-    pixel: T,
-    name: &str,
-) {
+fn draw<T: Compact, const W: usize, const H: usize>(particles: &[Particle<T, 2>], pixel: T, name: &str) {
     let mut raster = Raster::<W, H>::new();
     let drawn = particles.get(..DRAWN).unwrap_or_default();
     let before = clock::now();

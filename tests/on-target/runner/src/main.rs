@@ -1,5 +1,6 @@
 //! Builds the firmware for every target, runs it under QEMU and holds the outcome against what is committed.
 
+mod board;
 mod c;
 mod compile;
 mod counts;
@@ -9,12 +10,14 @@ mod elf;
 mod fluid;
 mod footprint;
 mod hardware;
+mod node;
 mod panics;
 mod qemu;
 mod suites;
 mod table;
 mod target;
 mod toolchain;
+mod uf2;
 mod web;
 
 use anyhow::{Context, Result, bail};
@@ -26,12 +29,14 @@ use toolchain::Toolchain;
 const USAGE: &str = "usage: tests/on-target/run [OPTION]
 
 Without an option, everything: the suites and the digests under QEMU, the search for panics, the footprint, the
-counts of instructions, the fluid, its cycles, the example for real chips, the C library, the page for browsers.
+counts of instructions, the fluid, its cycles, the example for real chips, the C library, the page for browsers, the
+pendant on boards.
 
-  --only PART         one of: suites, self-check, digests, panics, footprint, counts, fluid, cycles, hardware, c, web
+  --only PART         one of: suites, self-check, digests, panics, footprint, counts, fluid, cycles, hardware, c, web,
+                      board
   --self-check        the same as --only self-check
   --overflow-checks   what can panic when integer overflow is checked; judges nothing
-  --update            replaces the committed tables
+  --update            replaces the committed tables, and the pictures of the boards
   --update-golden     replaces the golden digests by those of this computer";
 
 /// What is to be done.
@@ -92,7 +97,7 @@ fn run(options: &Options) -> Result<bool> {
     if options.overflow_checks {
         return panics::with_overflow_checks().map(|()| true);
     }
-    let parts: [(&str, &dyn Fn() -> Result<bool>); 11] = [
+    let parts: [(&str, &dyn Fn() -> Result<bool>); 12] = [
         ("suites", &suites::check),
         ("self-check", &suites::self_check),
         ("digests", &digests::check),
@@ -104,6 +109,7 @@ fn run(options: &Options) -> Result<bool> {
         ("hardware", &hardware::check),
         ("c", &|| c::check(options.update)),
         ("web", &web::check),
+        ("board", &|| board::check(options.update)),
     ];
     let chosen = |name: &str| options.only.as_deref().is_none_or(|only| only == name);
     if !parts.iter().any(|(name, _)| chosen(name)) {

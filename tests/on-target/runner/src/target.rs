@@ -17,7 +17,7 @@ pub(crate) const TARGETS: [Target; 5] = [M0, M3, M4F, M33, RV32];
 /// Cortex-M0 with 16 KiB of RAM, no floating point, no division.
 pub(crate) const M0: Target = Target { triple: "thumbv6m-none-eabi", machine: "microbit", debug: true };
 /// Cortex-M3.
-const M3: Target = Target { triple: "thumbv7m-none-eabi", machine: "lm3s6965evb", debug: false };
+pub(crate) const M3: Target = Target { triple: "thumbv7m-none-eabi", machine: "lm3s6965evb", debug: false };
 /// Cortex-M4 with single-precision floating point.
 pub(crate) const M4F: Target = Target { triple: "thumbv7em-none-eabihf", machine: "mps2-an386", debug: true };
 /// Cortex-M33 with single-precision floating point.

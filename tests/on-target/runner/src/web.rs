@@ -3,6 +3,7 @@
 use crate::c::target_dir;
 use crate::compile;
 use crate::digests::WASM;
+use crate::node;
 use crate::toolchain::Toolchain;
 use anyhow::{Context, Result, bail};
 use std::path::{Path, PathBuf};
@@ -40,10 +41,10 @@ pub(crate) fn check() -> Result<bool> {
     link(&module)?;
     let golden = crate::root().join("digest/golden.txt");
     println!("\nweb: {}", page.display());
-    let mut good = node(&[&web.join("build.mjs"), &module, &golden, &page])?;
-    good &= node(&[&web.join("test/node.mjs"), &out.join("fluisim.wasm"), &golden])?;
+    let mut good = node::run(&[&web.join("build.mjs"), &module, &golden, &page])?;
+    good &= node::run(&[&web.join("test/node.mjs"), &out.join("fluisim.wasm"), &golden])?;
     match playwright(&web, &out) {
-        Ok(package) => good &= node(&[&web.join("test/browser.mjs"), &page, &package, &out])?,
+        Ok(package) => good &= node::run(&[&web.join("test/browser.mjs"), &page, &package, &out])?,
         Err(missing) => println!("web: the browser is SKIPPED: {missing:#}"),
     }
     Ok(good)
@@ -78,10 +79,6 @@ fn link(module: &Path) -> Result<()> {
     Ok(())
 }
 
-fn node(arguments: &[&PathBuf]) -> Result<bool> {
-    Ok(Command::new("node").args(arguments).status().context("cannot start node")?.success())
-}
-
 /// The folder of playwright-core, installed as `web/package-lock.json` says; an error where a browser or npm is missing.
 fn playwright(web: &Path, out: &Path) -> Result<PathBuf> {
     let chromium = std::env::var_os("CHROMIUM").unwrap_or_else(|| "/usr/bin/chromium".into());
@@ -91,17 +88,5 @@ fn playwright(web: &Path, out: &Path) -> Result<PathBuf> {
             Path::new(&chromium).display()
         );
     }
-    for name in ["package.json", "package-lock.json"] {
-        std::fs::copy(web.join(name), out.join(name)).with_context(|| format!("cannot copy {name}"))?;
-    }
-    let package = out.join("node_modules/playwright-core");
-    if !package.exists() {
-        let mut npm = Command::new("npm");
-        npm.args(["ci", "--ignore-scripts", "--no-audit", "--no-fund", "--silent"]).current_dir(out);
-        let status = npm.status().context("cannot start npm: apt-get install --no-install-recommends npm")?;
-        if !status.success() {
-            bail!("npm could not install playwright-core of web/package-lock.json");
-        }
-    }
-    Ok(package)
+    node::install("playwright-core", web, out)
 }

@@ -12,9 +12,9 @@ use sph_core::scalar::Table;
 use sph_core::scalar::fast::Fast32;
 use sph_core::scalar::fixed::{self, Checked, I4F12, I8F24, I16F16, Saturating, Wrapping};
 use sph_core::{
-    Accumulator, Axis, BruteForce, CellGrid, CellLayout, ClosureInfluence, Domain, Error, Field,
-    Influence, InfluenceOf, InlineCellGrid, KernelInfluence, NeighbourList, Neighbours, PerSample,
-    PerSampleInfluence, Scalar, Sources, Uniform, ball, difference, quadrature, vector,
+    Accumulator, Axis, BruteForce, CellGrid, CellLayout, ClosureInfluence, Domain, Error, Field, Influence,
+    InfluenceOf, InlineCellGrid, KernelInfluence, NeighbourList, Neighbours, PerSample, PerSampleInfluence,
+    Scalar, Sources, Uniform, ball, difference, quadrature, vector,
 };
 
 pub(crate) const SAMPLES: usize = 8;
