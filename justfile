@@ -21,3 +21,4 @@ pictures:
     cp target/dam-break/frame_0025.png docs/pictures/dam-break.png
     cp target/dam-break/front.png docs/pictures/front.png
     cargo run --release -- sample demo:vortex --grid 256,256 --quantity velocity_x --gradient --estimate corrected --out docs/pictures/vortex.png --force
+    tests/on-target/run --only board --update
