@@ -29,6 +29,7 @@ counts of instructions, the fluid, the example for real chips, the C library, th
 
   --only PART         one of: suites, self-check, digests, panics, footprint, counts, fluid, hardware, c, web
   --self-check        the same as --only self-check
+  --pack              the C library as packages for Arduino, CMake and ESP-IDF; judges nothing
   --overflow-checks   what can panic when integer overflow is checked; judges nothing
   --update            replaces the committed tables
   --update-golden     replaces the golden digests by those of this computer";
@@ -37,6 +38,7 @@ counts of instructions, the fluid, the example for real chips, the C library, th
 #[derive(Default)]
 struct Options {
     only: Option<String>,
+    pack: bool,
     overflow_checks: bool,
     update: bool,
     update_golden: bool,
@@ -63,6 +65,7 @@ fn options() -> Result<Options> {
         match argument {
             Long("only") => options.only = Some(arguments.value()?.to_string_lossy().into_owned()),
             Long("self-check") => options.only = Some("self-check".into()),
+            Long("pack") => options.pack = true,
             Long("overflow-checks") => options.overflow_checks = true,
             Long("update") => options.update = true,
             Long("update-golden") => options.update_golden = true,
@@ -77,6 +80,9 @@ fn options() -> Result<Options> {
 }
 
 fn run(options: &Options) -> Result<bool> {
+    if options.pack {
+        return c::pack().map(|()| true);
+    }
     toolchain::require_programs()?;
     println!("toolchains");
     for target in target::TARGETS {

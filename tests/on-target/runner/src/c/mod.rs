@@ -1,8 +1,11 @@
 //! The C library: its archives, and C programs with them on every processor.
 
 mod archive;
+mod arduino;
+mod cmake;
 mod flash;
 mod machine;
+mod packages;
 
 use crate::elf::Elf;
 use crate::table;
@@ -22,8 +25,15 @@ pub(crate) fn check(update: bool) -> Result<bool> {
     good &= linked(&archives)?;
     good &= errors(&archives)?;
     good &= readme(&archives)?;
+    good &= packages::check(&archives)?;
     good &= flash::check(&archives, update)?;
     Ok(good)
+}
+
+/// Builds all archives and puts the packages together.
+pub(crate) fn pack() -> Result<()> {
+    packages::write(&archives()?)?;
+    Ok(())
 }
 
 fn archives() -> Result<Archives> {
