@@ -37,7 +37,8 @@ pub(crate) fn check(packages: &Packages, on_host: bool) -> Result<bool> {
     for example in EXAMPLES {
         let program = build(packages, example, ("", &[]), &archive)?;
         for (key, tilt) in TILTS {
-            let output = Command::new(&program).args([key, FRAMES]).output().context("cannot start a sketch")?;
+            let output =
+                Command::new(&program).args([key, FRAMES]).output().context("cannot start a sketch")?;
             let picture = String::from_utf8_lossy(&output.stdout).into_owned();
             let leans = output.status.success() && leans(&last_picture(&picture), tilt);
             if !leans {
@@ -80,7 +81,8 @@ fn build(
 /// The rows of the last picture that was printed, from the top: what stands between two bars.
 fn last_picture(printed: &str) -> Vec<&str> {
     let is_row = |line: &&str| line.len() > 2 && line.starts_with('|') && line.ends_with('|');
-    let mut rows: Vec<_> = printed.lines().rev().skip_while(|line| !is_row(line)).take_while(is_row).collect();
+    let mut rows: Vec<_> =
+        printed.lines().rev().skip_while(|line| !is_row(line)).take_while(is_row).collect();
     rows.reverse();
     rows
 }

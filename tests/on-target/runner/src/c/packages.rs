@@ -18,11 +18,7 @@ pub(crate) const ARDUINO: [(&str, &str, &[&str]); 11] = [
     ("cortex-m0", M0.triple, &["-mcpu=cortex-m0"]),
     ("cortex-m3", M0.triple, &["-mcpu=cortex-m3"]),
     ("cortex-m4", SOFT, &["-mcpu=cortex-m4", "-mfpu=fpv4-sp-d16", "-mfloat-abi=softfp"]),
-    (
-        "cortex-m4/fpv4-sp-d16-hard",
-        M4F.triple,
-        &["-mcpu=cortex-m4", "-mfpu=fpv4-sp-d16", "-mfloat-abi=hard"],
-    ),
+    ("cortex-m4/fpv4-sp-d16-hard", M4F.triple, &["-mcpu=cortex-m4", "-mfpu=fpv4-sp-d16", "-mfloat-abi=hard"]),
     ("cortex-m7", SOFT, &["-mcpu=cortex-m7", "-mfpu=fpv5-d16", "-mfloat-abi=softfp"]),
     ("cortex-m7/fpv5-d16-hard", M4F.triple, &["-mcpu=cortex-m7", "-mfpu=fpv5-d16", "-mfloat-abi=hard"]),
     ("cortex-m33", SOFT, &["-mcpu=cortex-m33", "-march=armv8-m.main+fp+dsp", "-mfloat-abi=softfp"]),
