@@ -41,31 +41,33 @@ pub(crate) fn check(packages: &Packages, on_host: bool) -> Result<bool> {
             good &= is_golden(&out.join("host").join(format!("golden_{language}")))?;
         }
     }
-    for (triple, processor, flags) in CROSS.into_iter().filter(|_| is_there("arm-none-eabi-g++")) {
-        let folder = out.join(triple);
-        let config = packages.cmake.join("fluisim-config.cmake");
-        let said = project(
-            "cmake",
-            &folder,
-            &[
-                format!("-DFLUISIM={}", config.display()),
-                "-DCMAKE_SYSTEM_NAME=Generic".into(),
-                format!("-DCMAKE_SYSTEM_PROCESSOR={processor}"),
-                "-DCMAKE_C_COMPILER=arm-none-eabi-gcc".into(),
-                "-DCMAKE_CXX_COMPILER=arm-none-eabi-g++".into(),
-                "-DCMAKE_TRY_COMPILE_TARGET_TYPE=STATIC_LIBRARY".into(),
-                format!("-DCMAKE_C_FLAGS={flags}"),
-                format!("-DCMAKE_CXX_FLAGS={flags}"),
-            ],
-        )?;
-        build(&folder)?;
-        let chosen = said.lines().any(|line| line == format!("-- fluisim: {triple}"));
-        println!("{triple:<30} {} for {processor}, {flags}", if chosen { "chosen" } else { "NOT CHOSEN" });
-        good &= chosen;
+    for cross in CROSS.into_iter().filter(|_| is_there("arm-none-eabi-g++")) {
+        good &= chooses(packages, &out, cross)?;
     }
     project("esp-idf", &out.join("esp-idf"), &[format!("-DCOMPONENT={}", packages.esp_idf.display())])?;
     println!("the component of ESP-IDF asks for files that are there");
     Ok(good)
+}
+
+/// Whether the archive follows from what a toolchain file says; the firmware is linked with it.
+fn chooses(packages: &Packages, out: &Path, (triple, processor, flags): (&str, &str, &str)) -> Result<bool> {
+    let folder = out.join(triple);
+    let config = packages.cmake.join("fluisim-config.cmake");
+    let options = [
+        format!("-DFLUISIM={}", config.display()),
+        "-DCMAKE_SYSTEM_NAME=Generic".into(),
+        format!("-DCMAKE_SYSTEM_PROCESSOR={processor}"),
+        "-DCMAKE_C_COMPILER=arm-none-eabi-gcc".into(),
+        "-DCMAKE_CXX_COMPILER=arm-none-eabi-g++".into(),
+        "-DCMAKE_TRY_COMPILE_TARGET_TYPE=STATIC_LIBRARY".into(),
+        format!("-DCMAKE_C_FLAGS={flags}"),
+        format!("-DCMAKE_CXX_FLAGS={flags}"),
+    ];
+    let said = project("cmake", &folder, &options)?;
+    build(&folder)?;
+    let chosen = said.lines().any(|line| line == format!("-- fluisim: {triple}"));
+    println!("{triple:<30} {} for {processor}, {flags}", if chosen { "chosen" } else { "NOT CHOSEN" });
+    Ok(chosen)
 }
 
 /// Configures the project in the folder `c/NAME`; gives what CMake says.
