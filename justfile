@@ -14,6 +14,10 @@ bench side="100" threads="1":
 count *update:
     cargo bench -p sph-host --bench count -- {{update}}
 
+# The C library as packages for Arduino, CMake and ESP-IDF: zips in tests/on-target/target/c/packages
+pack:
+    tests/on-target/run --pack
+
 # The pictures of the README, made anew
 pictures:
     cargo run --release -p sph-host --example pendant_gif -- docs/pictures/pendant.gif

@@ -185,7 +185,7 @@ fn cells<T: Compact, C: Container<T, D>, const D: usize>(container: &C) -> Resul
     if !size.iter().all(|&length| length >= T::ratio(1, 4)) {
         return Err(code::BAD_ARGUMENT);
     }
-    match BorrowedFluid::<T, C, D, u16>::new(container, Settings::DEFAULT, &mut [], &mut []) {
+    match BorrowedFluid::<T, C, D, u16>::trusted(container, Settings::DEFAULT, &mut [], &mut []) {
         Err(Error::CapacityExceeded { needed, .. }) => u32::try_from(needed).map_err(|_| code::TOO_SMALL),
         _ => Err(code::BAD_ARGUMENT),
     }
@@ -223,7 +223,8 @@ unsafe fn step_in<T: Compact, C: Container<T, D>, const D: usize>(
         let starts = core::slice::from_raw_parts_mut(starts(fluid), head.cells as usize);
         (container, head.settings, particles, starts)
     };
-    match BorrowedFluid::<T, C, D, u16>::new(container, settings, particles, starts) {
+    // `add` lets no particle in that is outside, and the solver keeps all of them inside
+    match BorrowedFluid::<T, C, D, u16>::trusted(container, settings, particles, starts) {
         Ok(mut solver) => {
             solver.step(acceleration);
             code::OK

@@ -1,7 +1,9 @@
 //! Nothing escapes, whatever the input: every container, shaken with numbers up to the limits of the type.
 
-use crate::measure::{Noise, at, extremes, state};
-use sph_core::fluid::{Container, Disc, Mask, OpenBox, Particle, PositionBasedFluid, Shape};
+use crate::measure::{Noise, at, block, extremes, state};
+use sph_core::fluid::{
+    BorrowedFluid, Container, Disc, Mask, OpenBox, Particle, PositionBasedFluid, Settings, Shape,
+};
 use sph_core::scalar::compact::Compact;
 
 /// Frames in an ordinary test run; the whole length is that of the ignored tests.
@@ -92,6 +94,31 @@ fn nothing_escapes_in_a_hundred_thousand_frames() {
     survive::<f32, _, 100>(ring(), LONG);
 }
 
+/// Particles that `new` refuses, in the solver that does not look at them, beside a block of others.
+fn strays<T: Compact>(places: &[T]) {
+    let walls = OpenBox::new([T::ratio(11, 2); 2]);
+    for axis in 0..2 {
+        let mut starts = [0_u16; 36];
+        let mut particles: Vec<_> = block([1.0; 2], 4, 4).collect();
+        for &place in places {
+            let mut position = [T::ONE; 2];
+            position[axis] = place;
+            particles.push(Particle::new(position, [T::ZERO; 2]));
+        }
+        assert!(BorrowedFluid::new(&walls, Settings::DEFAULT, &mut particles, &mut starts).is_err());
+        for _ in 0..100 {
+            let fluid = BorrowedFluid::trusted(&walls, Settings::DEFAULT, &mut particles, &mut starts);
+            fluid.unwrap().step([T::ratio(1, 100), T::ratio(-1, 100)]);
+        }
+        assert_eq!(particles.len(), 16 + places.len());
+    }
+}
+
+#[test]
+fn nothing_panics_where_particles_are_outside_that_were_trusted() {
+    strays(&[f32::MAX, f32::MIN, f32::INFINITY, f32::NEG_INFINITY, f32::NAN, -0.01, 5.6, 65_536.0]);
+}
+
 #[cfg(feature = "fixed")]
 mod fixed_point {
     use super::*;
@@ -104,6 +131,13 @@ mod fixed_point {
         all::<Checked<I16F16>>(FRAMES);
         all::<Wrapping<I16F16>>(FRAMES);
         survive::<Saturating<I16F16>, _, 100>(ring(), FRAMES);
+    }
+
+    #[test]
+    fn nothing_panics_where_particles_are_outside_that_were_trusted() {
+        type Number = Saturating<I16F16>;
+        strays(&[Number::MAX, Number::MIN, Number::ratio(-1, 100), Number::ratio(28, 5)]);
+        strays(&[Wrapping::<I16F16>::ratio(-1, 100), Wrapping::<I16F16>::ratio(28, 5)]);
     }
 
     #[test]

@@ -70,8 +70,12 @@ impl<'a, T: Compact, C: Container<T, D>, const D: usize, I: Index> BorrowedFluid
         Self::trusted(container, settings, particles, starts)
     }
 
-    /// As [`new`](Self::new) for particles that are known to be inside.
-    pub(super) fn trusted(
+    /// As [`new`](Self::new) without a look at the particles, which saves instructions and flash: for those that a fluid moved or that were
+    /// looked at when they were added, and no more than `I` counts. One that is outside after all gives wrong numbers; nothing panics.
+    ///
+    /// # Errors
+    /// [`Error::CapacityExceeded`] and [`Error::NotRepresentable`] for the container, as `new`.
+    pub fn trusted(
         container: &'a C,
         settings: Settings,
         particles: &'a mut [Particle<T, D>],

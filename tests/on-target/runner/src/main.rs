@@ -35,6 +35,7 @@ pendant on boards.
   --only PART         one of: suites, self-check, digests, panics, footprint, counts, fluid, cycles, hardware, c, web,
                       board
   --self-check        the same as --only self-check
+  --pack              the C library as packages for Arduino, CMake and ESP-IDF; judges nothing
   --overflow-checks   what can panic when integer overflow is checked; judges nothing
   --update            replaces the committed tables, and the pictures of the boards
   --update-golden     replaces the golden digests by those of this computer";
@@ -43,6 +44,7 @@ pendant on boards.
 #[derive(Default)]
 struct Options {
     only: Option<String>,
+    pack: bool,
     overflow_checks: bool,
     update: bool,
     update_golden: bool,
@@ -69,6 +71,7 @@ fn options() -> Result<Options> {
         match argument {
             Long("only") => options.only = Some(arguments.value()?.to_string_lossy().into_owned()),
             Long("self-check") => options.only = Some("self-check".into()),
+            Long("pack") => options.pack = true,
             Long("overflow-checks") => options.overflow_checks = true,
             Long("update") => options.update = true,
             Long("update-golden") => options.update_golden = true,
@@ -83,6 +86,9 @@ fn options() -> Result<Options> {
 }
 
 fn run(options: &Options) -> Result<bool> {
+    if options.pack {
+        return c::pack().map(|()| true);
+    }
     toolchain::require_programs()?;
     println!("toolchains");
     for target in target::TARGETS {

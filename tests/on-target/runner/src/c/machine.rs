@@ -189,10 +189,12 @@ pub(crate) fn is_there(program: &str) -> bool {
     found.is_ok_and(|status| status.success())
 }
 
-fn run(command: &mut Command) -> Result<()> {
+/// Runs a program to its end; gives what it printed.
+pub(crate) fn run(command: &mut Command) -> Result<String> {
     let output = command.output().with_context(|| format!("cannot start {command:?}"))?;
+    let printed = String::from_utf8_lossy(&output.stdout).into_owned();
     if !output.status.success() {
-        bail!("{command:?} failed:\n{}", String::from_utf8_lossy(&output.stderr));
+        bail!("{command:?} failed:\n{printed}{}", String::from_utf8_lossy(&output.stderr));
     }
-    Ok(())
+    Ok(printed)
 }

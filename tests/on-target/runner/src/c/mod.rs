@@ -1,8 +1,11 @@
 //! The C library: its archives, and C programs with them on every processor.
 
 mod archive;
+mod arduino;
+mod cmake;
 mod flash;
 mod machine;
+mod packages;
 
 use crate::elf::Elf;
 use crate::table;
@@ -11,6 +14,7 @@ use archive::Archive;
 pub(crate) use archive::target_dir;
 use machine::{HOST, M0, M4F, MACHINES, Machine, Program};
 use std::collections::{BTreeMap, BTreeSet};
+use std::process::Command;
 
 type Archives = BTreeMap<&'static str, Archive>;
 
@@ -22,8 +26,15 @@ pub(crate) fn check(update: bool) -> Result<bool> {
     good &= linked(&archives)?;
     good &= errors(&archives)?;
     good &= readme(&archives)?;
+    good &= packages::check(&archives)?;
     good &= flash::check(&archives, update)?;
     Ok(good)
+}
+
+/// Builds all archives and puts the packages together.
+pub(crate) fn pack() -> Result<()> {
+    packages::write(&archives()?)?;
+    Ok(())
 }
 
 fn archives() -> Result<Archives> {
@@ -152,18 +163,24 @@ fn errors(archives: &Archives) -> Result<bool> {
     Ok(good)
 }
 
-/// The first program of the README works.
+/// The first program of the README works, compiled as the README says, in a folder that has what it names.
 fn readme(archives: &Archives) -> Result<bool> {
     let Some(archive) = archives.get(HOST.triple).filter(|_| HOST.has_compiler()) else { return Ok(true) };
     let text = crate::read("../../sph-core/c/README.md")?;
-    let program = text.split("```c\n").nth(1).and_then(|rest| rest.split("```").next());
-    let source = archive::target_dir().join("c/programs/readme.c");
-    std::fs::write(&source, program.context("the README has no program")?)?;
-    let source = source.to_str().context("a path")?;
-    let elf = HOST.build(&archive.path, &Program { source, options: &[], standard: "c99" })?;
-    let outcome = HOST.run(&elf, &[])?;
-    let printed = outcome.log.first().and_then(|line| line.split_once(' '));
-    let height = printed.and_then(|(_, y)| y.parse::<f64>().ok());
-    println!("\nthe README's program prints {}", outcome.log.join(", "));
-    Ok(outcome.success && height.is_some_and(|y| (0.0..3.0).contains(&y)))
+    let block = |language: &str, which: usize| {
+        let rest = text.split(&format!("```{language}\n")).nth(which)?;
+        rest.split("```").next()
+    };
+    let folder = target_dir().join("c/readme");
+    let (include, built) = (folder.join("sph-core/c/include"), folder.join("target/fast"));
+    std::fs::create_dir_all(&include)?;
+    std::fs::create_dir_all(&built)?;
+    std::fs::write(include.join("fluisim.h"), crate::read("../../sph-core/c/include/fluisim.h")?)?;
+    std::fs::copy(&archive.path, built.join("libfluisim_c.a"))?;
+    std::fs::write(folder.join("main.c"), block("c", 1).context("the README has no program")?)?;
+    let commands = block("sh", 2).context("the README does not say how it is compiled")?;
+    let printed = machine::run(Command::new("sh").args(["-ec", commands]).current_dir(&folder))?;
+    let height = printed.split_whitespace().nth(1).and_then(|y| y.parse::<f64>().ok());
+    println!("\nthe README's program prints {}", printed.trim());
+    Ok(height.is_some_and(|y| (0.0..3.0).contains(&y)))
 }
