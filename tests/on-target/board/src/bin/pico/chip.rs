@@ -13,6 +13,11 @@ const XOSC: u32 = 0x4002_4000;
 const PLL_SYS: u32 = 0x4002_8000;
 const SIO: u32 = 0xd000_0000;
 
+const OUT_SET: u32 = 0x14;
+const OUT_CLEAR: u32 = 0x18;
+const DRIVE_SET: u32 = 0x24;
+const DRIVE_CLEAR: u32 = 0x28;
+
 const CLK_REF_CTRL: u32 = CLOCKS + 0x30;
 const CLK_REF_SELECTED: u32 = CLOCKS + 0x38;
 const CLK_SYS_CTRL: u32 = CLOCKS + 0x3c;
@@ -60,7 +65,23 @@ pub(crate) fn start_parts() {
 pub(crate) fn join_i2c(sda: u32, scl: u32) {
     for pin in [sda, scl] {
         write(PADS_BANK0 + 4 + 4 * pin, 1 << 6 | 1 << 4 | 1 << 3 | 1 << 1);
+    }
+    pulse(scl);
+    for pin in [sda, scl] {
         write(IO_BANK0 + 4 + 8 * pin, 3);
+    }
+}
+
+/// Pulls the clock of the bus low nine times: a chip that was being read when this one was reset then lets go of the data line.
+fn pulse(scl: u32) {
+    let pin = 1 << scl;
+    write(SIO + OUT_CLEAR, pin); // low when it is driven, high by the pull-up when not
+    write(IO_BANK0 + 4 + 8 * scl, 5);
+    for _ in 0..9 {
+        for change in [DRIVE_SET, DRIVE_CLEAR] {
+            write(SIO + change, pin);
+            cortex_m::asm::delay(CLOCK_HZ / 200_000); // 5 µs
+        }
     }
 }
 
@@ -73,14 +94,14 @@ impl Output {
     pub(crate) fn new(pin: u32) -> Self {
         let output = Self(1 << pin);
         output.set(false);
-        write(SIO + 0x24, output.0);
+        write(SIO + DRIVE_SET, output.0);
         write(IO_BANK0 + 4 + 8 * pin, 5);
         output
     }
 
     /// High or low.
     pub(crate) fn set(self, high: bool) {
-        write(SIO + if high { 0x14 } else { 0x18 }, self.0);
+        write(SIO + if high { OUT_SET } else { OUT_CLEAR }, self.0);
     }
 
     /// High while something is done: for a logic analyser, and for the emulator to count cycles by.
