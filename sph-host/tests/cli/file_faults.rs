@@ -167,12 +167,15 @@ fn unknown_endings_are_named_with_those_that_are_known() {
 fn every_format_is_in_the_help_and_in_the_readme() {
     let help = Folder::new().succeed("sample --help").stdout;
     let readme = include_str!("../../../README.md");
+    let page = include_str!("../../docs/files.md");
     for ending in io::ENDINGS {
         assert!(help.contains(ending), "{ending} is missing in the help");
         assert!(readme.contains(&format!("`{ending}`")), "{ending} is missing in README.md");
+        assert!(page.contains(&format!("`{ending}`")), "{ending} is missing in files.md");
     }
     for ending in output::ENDINGS {
         assert!(help.contains(ending), "{ending} is missing in the help");
+        assert!(page.contains(&format!("| `{ending}`")) || page.contains(&format!(", `{ending}`")), "{ending}");
     }
 }
 
