@@ -12,7 +12,8 @@ function load(chip, elf) {
   const [programs, size, count] = [elf.readUInt32LE(28), elf.readUInt16LE(42), elf.readUInt16LE(44)];
   for (let k = 0; k < count; k++) {
     const [type, from, , to, length] = [0, 1, 2, 3, 4].map((n) => elf.readUInt32LE(programs + k * size + 4 * n));
-    if (type === 1 && to >= FLASH) chip.flash.set(elf.subarray(from, from + length), to - FLASH);
+    const isFlash = to >= FLASH && to + length <= FLASH + chip.flash.length; // RAM starts empty
+    if (type === 1 && isFlash) chip.flash.set(elf.subarray(from, from + length), to - FLASH);
   }
   chip.core.VTOR = FLASH;
   chip.core.SP = chip.readUint32(FLASH);

@@ -21,8 +21,8 @@
 //!
 //! Where the tables leave a choice, this is taken:
 //!
-//! * **The fast multiplier**, 1 cycle. The processor's maker chooses 1 or 32; chips whose data sheets say so have the fast one (RP2040,
-//!   STM32F0, STM32G0, STM32L0, SAM D21, nRF51, among others). With the small one every MULS costs 31 cycles more.
+//! * **The fast multiplier**, 1 cycle. The maker of a chip chooses 1 or 32; RP2040, SAM C20 and LPC800 have the fast one, as their data
+//!   sheets say, and so have others. With the small one every MULS costs 31 cycles more.
 //! * Loads and stores of the Cortex-M0+ go to memory, 2 cycles: the fluid touches no I/O port.
 
 use crate::instruction::Instruction;

@@ -2,6 +2,7 @@
 
 use super::pendants::Pendant;
 use super::region::{self, Region};
+use crate::node;
 use crate::target::{M0, Target};
 use anyhow::{Context, Result, ensure};
 use std::path::PathBuf;
@@ -9,9 +10,6 @@ use std::process::Command;
 
 /// The two sums of a region differ by less than this fraction.
 const TOLERANCE: f64 = 0.05;
-
-/// Files that npm and node need.
-const FILES: [&str; 3] = ["package.json", "package-lock.json", "run.mjs"];
 
 /// Runs the pendants there and compares region by region; true when they agree, or when it cannot be installed, and then it says so.
 ///
@@ -57,17 +55,11 @@ pub(crate) fn agrees(pendants: &[Pendant]) -> Result<bool> {
 
 /// Installs rp2040js as its lock file says; an error where npm is missing or reaches no registry.
 fn install() -> Result<PathBuf> {
+    let from = crate::root().join("cycles/rp2040js");
     let out = crate::c::target_dir().join("rp2040js");
     std::fs::create_dir_all(&out)?;
-    for name in FILES {
-        let from = crate::root().join("cycles/rp2040js").join(name);
-        std::fs::copy(&from, out.join(name)).with_context(|| format!("cannot copy {}", from.display()))?;
-    }
-    if !out.join("node_modules/rp2040js").exists() {
-        let mut npm = Command::new("npm");
-        npm.args(["ci", "--ignore-scripts", "--no-audit", "--no-fund", "--silent"]).current_dir(&out);
-        let status = npm.status().context("cannot start npm: apt-get install --no-install-recommends npm")?;
-        ensure!(status.success(), "npm could not install rp2040js");
-    }
-    Ok(out.join("run.mjs"))
+    node::install("rp2040js", &from, &out)?;
+    let script = out.join("run.mjs"); // beside what it imports
+    std::fs::copy(from.join("run.mjs"), &script).context("cannot copy run.mjs")?;
+    Ok(script)
 }
