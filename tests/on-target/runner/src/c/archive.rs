@@ -25,34 +25,17 @@ pub(crate) struct Archive {
     pub(crate) needed: Vec<String>,
 }
 
-/// Builds the archives for some targets, those of one toolchain at once, so that no core is idle while another compiles a crate alone.
-pub(crate) fn build(triples: &[&'static str]) -> Result<Vec<(&'static str, Archive)>> {
-    let with_toolchain = |&triple: &&'static str| Ok((triple, Toolchain::find(triple)?));
-    let mut triples = triples.iter().map(with_toolchain).collect::<Result<Vec<_>>>()?;
-    triples.sort_by_key(|(_, toolchain)| toolchain.version());
-    let mut archives = Vec::new();
-    for group in triples.chunk_by(|(_, a), (_, b)| a == b) {
-        let names: Vec<&str> = group.iter().map(|(triple, _)| *triple).collect();
-        let mut cargo = group[0].1.cargo("rustc", &names);
-        cargo.args(["--manifest-path", "../../Cargo.toml", "-p", "fluisim-c", "--features", "archive"]);
-        cargo.args(["--profile", "fast", "--crate-type", "staticlib", "--target-dir"]).arg(target_dir());
-        let built = compile::run(cargo)?;
-        for (triple, _) in group {
-            let is_of_target = |library: &&compile::Firmware| library.path.iter().any(|part| part == *triple);
-            let library =
-                built.iter().find(is_of_target).with_context(|| format!("no archive for {triple}"))?;
-            archives.push((*triple, checked(triple, &library.path)?));
-        }
-    }
-    Ok(archives)
-}
-
-/// The archive without `compiler_builtins` and what is for debuggers, if its symbols are as they must be.
-fn checked(triple: &str, library: &Path) -> Result<Archive> {
-    let bytes = std::fs::read(library)?;
+/// Builds the archive for a target, takes `compiler_builtins` and what is for debuggers out of it, and looks at its symbols.
+pub(crate) fn build(triple: &str) -> Result<Archive> {
+    let target_dir = target_dir();
+    let mut cargo = Toolchain::find(triple)?.cargo("rustc", &[triple]);
+    cargo.args(["--manifest-path", "../../Cargo.toml", "-p", "fluisim-c", "--features", "archive"]);
+    cargo.args(["--profile", "fast", "--crate-type", "staticlib", "--target-dir"]).arg(&target_dir);
+    let built = compile::run(cargo)?;
+    let bytes = std::fs::read(&built.first().context("no archive was built")?.path)?;
     let object = stripped(only_object(&bytes)?)?;
     let (exported, needed) = symbols(&object).with_context(|| format!("the archive for {triple}"))?;
-    let path = target_dir().join("c").join(triple).join("libfluisim.a");
+    let path = target_dir.join("c").join(triple).join("libfluisim.a");
     std::fs::create_dir_all(path.parent().context("a folder")?)?;
     let archive = archived(&object, &exported);
     std::fs::write(&path, &archive)?;

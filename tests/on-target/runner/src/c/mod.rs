@@ -13,7 +13,7 @@ use anyhow::{Context, Result, ensure};
 use archive::Archive;
 pub(crate) use archive::target_dir;
 use machine::{HOST, M0, M4F, MACHINES, Machine, Program};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::process::Command;
 
 type Archives = BTreeMap<&'static str, Archive>;
@@ -40,16 +40,20 @@ pub(crate) fn pack() -> Result<()> {
 fn archives() -> Result<Archives> {
     let mut archives = Archives::new();
     println!("\n{:<30} {:>8} {:>10} {:>8}  archive", "target", "bytes", "functions", "needs");
-    let has_host = cfg!(all(target_arch = "x86_64", target_os = "linux"));
-    let triples: BTreeSet<&str> = MACHINES
-        .iter()
-        .filter(|machine| has_host || !machine.is_host())
-        .map(|machine| machine.triple)
-        .collect();
-    for (triple, archive) in archive::build(&Vec::from_iter(triples))? {
-        let Archive { path, size, exported, needed } = &archive;
-        println!("{triple:<30} {size:>8} {exported:>10} {:>8}  {}", needed.len(), path.display());
-        archives.insert(triple, archive);
+    for machine in MACHINES {
+        if !archives.contains_key(machine.triple)
+            && (!machine.is_host() || cfg!(all(target_arch = "x86_64", target_os = "linux")))
+        {
+            let archive = archive::build(machine.triple)?;
+            let Archive { path, size, exported, needed } = &archive;
+            println!(
+                "{:<30} {size:>8} {exported:>10} {:>8}  {}",
+                machine.triple,
+                needed.len(),
+                path.display()
+            );
+            archives.insert(machine.triple, archive);
+        }
     }
     Ok(archives)
 }
