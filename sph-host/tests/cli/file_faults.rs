@@ -175,7 +175,10 @@ fn every_format_is_in_the_help_and_in_the_readme() {
     }
     for ending in output::ENDINGS {
         assert!(help.contains(ending), "{ending} is missing in the help");
-        assert!(page.contains(&format!("| `{ending}`")) || page.contains(&format!(", `{ending}`")), "{ending}");
+        assert!(
+            page.contains(&format!("| `{ending}`")) || page.contains(&format!(", `{ending}`")),
+            "{ending}"
+        );
     }
 }
 
