@@ -48,6 +48,8 @@ impl From<ReadError> for Failure {
     fn from(error: ReadError) -> Self {
         match error {
             ReadError::UnknownEnding { .. } => Self::Usage(error.to_string()),
+            ReadError::NoLines { .. } => Self::Usage(format!("{error}; leave out --skip-lines")),
+            ReadError::NotBeside { .. } => Self::Usage(error.to_string()),
             ReadError::UnknownFormat { .. } => Self::Usage(error.to_string()),
             ReadError::NoFormat => Self::Usage(format!("{error}: say by --format, such as --format csv")),
             ReadError::Position { .. } => Self::Input(format!(

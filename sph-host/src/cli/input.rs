@@ -54,6 +54,10 @@ impl InputArgs {
         if self.count.is_some() {
             return Err(Failure::usage("--particles N sizes a built-in set, not a file"));
         }
+        let is_twice = |at: usize| self.position[..at].contains(&self.position[at]);
+        if self.position.iter().any(String::is_empty) || (0..self.position.len()).any(is_twice) {
+            return Err(Failure::usage("--position names an array, or a column for each axis, each once"));
+        }
         if self.position.len() > 3 {
             return Err(Failure::usage(
                 "--position names one array, or a column for each of up to three axes",
@@ -70,7 +74,10 @@ impl InputArgs {
     pub(super) fn points(&self, path: PathBuf) -> Result<InputFile, Failure> {
         let file = InputFile::from(path);
         let format = self.format.clone().filter(|_| file.is_standard_input());
-        known(InputFile { format, ..file })
+        let file = InputFile { format, position: self.position.clone(), ..file };
+        // a group is that of the particles, and of points in such a file
+        let is_grouped = file.known_format()?.0.endings == GROUPED;
+        known(InputFile { group: self.group.clone().filter(|_| is_grouped), ..file })
     }
 }
 

@@ -125,8 +125,7 @@ impl Results {
 
     /// Whether parts of a grid share a layer, so that no gap is between them.
     pub(super) fn shares_layers(&self) -> bool {
-        let is_image = self.out.as_deref().and_then(Format::of).is_some_and(|format| format.ending == ".vti");
-        is_image || self.surface.is_some()
+        self.out.as_deref().and_then(Format::of).is_some_and(|format| format.ending == ".vti")
     }
 
     /// Writes the result with this number.

@@ -151,6 +151,12 @@ fn chunk_help() -> String {
 /// Samples as the words say.
 pub(super) fn run(mut args: SampleArgs) -> Result<(), Failure> {
     let words = std::mem::take(&mut args.particles);
+    if words.iter().filter(|path| path.as_os_str() == "-").count() > 1 {
+        return Err(Failure::usage("standard input is read once: - stands for one file"));
+    }
+    if args.surface.is_some() && args.part.is_some() {
+        return Err(Failure::usage("--surface is taken of the whole grid: it has no --part"));
+    }
     let is_series = words.len() > 1 || words.iter().any(|path| io::is_series(path));
     let results = Results::new(args.out.clone(), args.force, args.part, args.surface.clone(), is_series)?;
     let moments = results::moments(words)?;

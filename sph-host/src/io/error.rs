@@ -68,6 +68,18 @@ pub enum ReadError {
         /// What is there, and what was expected.
         problem: String,
     },
+    /// Lines are to be skipped in a file that is no text table. The file has not been looked at.
+    #[error("{file}: lines are skipped in text tables alone: .csv, .tsv")]
+    NoLines {
+        /// The file's name as given.
+        file: String,
+    },
+    /// A file that names pieces beside it is packed or standard input.
+    #[error("{file}: a file that names pieces is read where it stands, beside them, and not packed")]
+    NotBeside {
+        /// The file's name as given.
+        file: String,
+    },
     /// The format that was named is not known.
     #[error(
         "the format {format} is not known: one of {} is expected, each also with .gz behind",

@@ -90,7 +90,7 @@ impl InputFile {
     /// The format, and whether the file is packed by gzip.
     ///
     /// # Errors
-    /// It is not known.
+    /// It is not known, or has not what is asked of it.
     pub(crate) fn known_format(&self) -> Result<(&'static Format, bool), ReadError> {
         let unknown = || match &self.format {
             Some(format) => ReadError::UnknownFormat { format: format.clone() },
@@ -110,7 +110,18 @@ impl InputFile {
             Some(inner) => (inner, true),
             None => (ending.as_str(), false),
         };
-        read::format_of(inner).map(|format| (format, is_packed)).ok_or_else(unknown)
+        let format = read::format_of(inner).ok_or_else(unknown)?;
+        let file = self.name();
+        if self.group.is_some() && format.endings != read::GROUPED {
+            return Err(ReadError::NoGroups { file });
+        }
+        if self.skip_lines > 0 && !format.is_text_table() {
+            return Err(ReadError::NoLines { file });
+        }
+        if format.endings.contains(&".pvtu") && (is_packed || self.is_standard_input()) {
+            return Err(ReadError::NotBeside { file });
+        }
+        Ok((format, is_packed))
     }
 
     /// The file as one that formats can open.
@@ -120,9 +131,6 @@ impl InputFile {
     pub(crate) fn at_hand(&self) -> Result<AtHand, ReadError> {
         let (format, is_packed) = self.known_format()?;
         let (mut file, name) = (self.clone(), self.name());
-        if self.group.is_some() && format.endings != read::GROUPED {
-            return Err(ReadError::NoGroups { file: name });
-        }
         let mut spool = None;
         if is_packed || self.is_standard_input() {
             let path = self.spooled(is_packed).map_err(|problem| problem.in_file(&name))?;

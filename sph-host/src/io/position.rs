@@ -54,6 +54,20 @@ pub(super) fn find(arrays: &[(&str, usize)], named: &[String]) -> Parsed<Option<
     }
 }
 
+/// Whether an array of this name may be the first of the coordinates.
+pub(super) fn may_begin(name: &str, named: &[String]) -> bool {
+    let name = without_unit(name);
+    let vector = component(name).map(|(vector, _, axis)| (vector, axis));
+    if let Some(first) = named.first() {
+        let is_it = |name: &str| name.eq_ignore_ascii_case(without_unit(first));
+        return is_it(name) || vector.is_some_and(|(vector, _)| is_it(vector));
+    }
+    let is_vector = |name: &str| VECTORS.iter().any(|vector| name.eq_ignore_ascii_case(vector));
+    name.eq_ignore_ascii_case(AXES[0])
+        || is_vector(name)
+        || vector.is_some_and(|(vector, axis)| axis == 0 && is_vector(vector))
+}
+
 /// The array of exactly this name, or of this name but for letters and the unit.
 fn index(arrays: &[(&str, usize)], name: &str) -> Option<usize> {
     let exact = arrays.iter().position(|(known, _)| *known == name);

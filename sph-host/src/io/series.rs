@@ -52,6 +52,15 @@ fn moments(text: &str) -> Result<Vec<Moment>, Problem> {
             _ => {}
         }
     }
+    let again =
+        (1..moments.len()).find(|&at| moments[..at].iter().any(|one: &Moment| one.time == moments[at].time));
+    if let Some(at) = again {
+        let Moment { time, path } = &moments[at];
+        let path = shown(path.as_os_str().as_encoded_bytes());
+        return Err(Problem::new(format!(
+            "{path} is the second file at the time {time}: parts of one moment are not joined, but a .pvtu names such"
+        )));
+    }
     match (is_collection, moments.is_empty()) {
         (false, _) => Err(Problem::new("there is no Collection in it, as a .pvd has")),
         (true, true) => Err(Problem::new("the Collection names no file")),

@@ -8,7 +8,7 @@ use super::request::{ParticleSource, Request, SamplePoints};
 use super::table;
 use super::warning::Warning;
 use crate::demo;
-use crate::io::{AtHand, InputFile, PointTable};
+use crate::io::{AtHand, InputFile, PointTable, ReadError};
 
 /// The particles and points of a request as they were read.
 pub(super) struct Tables {
@@ -81,6 +81,16 @@ impl Tables {
     }
 }
 
+/// The points of a file: by the names that the particles' coordinates have, or else by usual ones.
+fn points(file: &InputFile) -> Result<PointTable, SampleError> {
+    match file.read() {
+        Err(ReadError::Position { .. }) if !file.position.is_empty() && !file.is_standard_input() => {
+            Ok(InputFile { position: Vec::new(), ..file.clone() }.read()?)
+        }
+        read => Ok(read?),
+    }
+}
+
 /// Reads the tables of a request.
 pub(super) fn read(request: &Request) -> Result<Tables, SampleError> {
     if let (ParticleSource::File(particles), SamplePoints::At(points)) = (&request.particles, &request.at)
@@ -105,7 +115,7 @@ pub(super) fn read(request: &Request) -> Result<Tables, SampleError> {
         taken.require_some(&table.source, &request.only)?;
     }
     let points = match &request.at {
-        SamplePoints::At(file) => Some(file.read()?),
+        SamplePoints::At(file) => Some(points(file)?),
         SamplePoints::Grid { .. } | SamplePoints::AtParticles => None,
     };
     Ok(Tables { particles, points })

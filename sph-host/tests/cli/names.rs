@@ -43,7 +43,7 @@ fn two_sets_of_coordinates_are_an_error_unless_one_is_named() {
     }
     assert_eq!(folder.columns(&format!("{words} --quantity m --position y,pos_x")).get("y"), [5.0, 6.0]);
     folder.fail_with(1, &format!("{words} --position w"), &["p.csv: line 1", "`w`", "`pos_x`"]);
-    folder.fail_with(1, &format!("{words} --position x,x"), &["`x`", "two axes"]);
+    folder.fail_with(2, &format!("{words} --position x,x"), &["--position", "once"]);
     folder.fail_with(2, &format!("{words} --position a,b,c,d"), &["--position"]);
     folder.fail_with(2, "sample demo:vortex --at-particles --position x,y", &["--position", "built-in"]);
     folder.write("none.csv", "a,b\n1,2\n");
@@ -52,6 +52,20 @@ fn two_sets_of_coordinates_are_an_error_unless_one_is_named() {
         "sample none.csv --support 1 --at-particles",
         &["line 1", "`x`", "`a`", "--position"],
     );
+}
+
+#[test]
+fn a_named_position_is_that_of_points_too_where_they_have_it() {
+    let folder = Folder::with("p.csv", "a,b,m\n0,0,1\n1,0,1\n");
+    folder.write("at.csv", "x,y\n0.5,0.25\n");
+    let words = "sample p.csv --support 1.5 --quantity m --position a,b";
+    assert_eq!(folder.columns(&format!("{words} --at p.csv")).get("x"), [0.0, 1.0]);
+    assert_eq!(folder.columns(&format!("{words} --at at.csv")).get("y"), [0.25]);
+    for wrong in ["--position=", "--position a,", "--position a,a"] {
+        folder.fail_with(2, &format!("sample p.csv --support 1 --at-particles {wrong}"), &["--position"]);
+    }
+    folder.write("p.pvtu.gz", [0x1f, 0x8b]);
+    folder.fail_with(2, "sample p.pvtu.gz --support 1 --at-particles", &["p.pvtu.gz", "beside"]);
 }
 
 #[test]

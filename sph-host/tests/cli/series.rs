@@ -51,6 +51,12 @@ fn series_that_cannot_be_are_refused() {
     folder.fail_with(2, &format!("sample a.csv b.csv {words}"), &["--out", "%04d"]);
     folder.fail_with(2, &format!("sample a.csv b.csv {words} --out o.vti"), &["--out", "%04d"]);
     folder.fail_with(2, "sample", &["<PARTICLES>"]);
+    folder.fail_with(2, &format!("sample - - {words} --format csv --out o_%d.csv"), &["standard input"]);
+    folder.fail_with(
+        2,
+        &format!("sample a.csv b.csv {words} --group fluid --out o_%d.csv"),
+        &["a.csv", "--group"],
+    );
     for (content, parts) in [
         ("", &["s.pvd", "empty"][..]),
         ("<VTKFile/>", &["s.pvd", "Collection"]),
@@ -60,6 +66,10 @@ fn series_that_cannot_be_are_refused() {
         ("<Collection><DataSet file=\"/etc/x.csv\"/></Collection>", &["`/etc/x.csv`"]),
         ("<Collection><DataSet file=\"a.csv\" timestep=\"x\"/></Collection>", &["`x`", "number"]),
         ("<Collection><DataSet", &["s.pvd", "byte 12"]),
+        (
+            "<Collection><DataSet timestep=\"1\" file=\"a.csv\"/><DataSet timestep=\"1\" file=\"b.csv\"/></Collection>",
+            &["`b.csv`", "time 1", ".pvtu"],
+        ),
     ] {
         folder.write("s.pvd", content);
         let message = folder.fail(1, &format!("sample s.pvd {words} --out o_%d.vti"));

@@ -43,7 +43,7 @@ fn lines_are_skipped_and_still_counted() {
     assert_eq!(folder.columns(&format!("{words} --skip-lines 2")).get("A").len(), 3);
     folder.fail_with(1, &format!("{words} --skip-lines 99"), &["p.csv", "no header"]);
     folder.write("p.vtk", "");
-    folder.fail_with(1, &format!("sample p.vtk {WORDS} --skip-lines 1"), &["p.vtk", ".csv"]);
+    folder.fail_with(2, &format!("sample p.vtk {WORDS} --skip-lines 1"), &["p.vtk", ".csv"]);
 }
 
 #[test]

@@ -152,9 +152,6 @@ fn coordinates_of_another_shape_or_none_are_an_error() {
     let message = read(&gadget);
     let expected = "no group holds particles: a dataset `Coordinates`, `pos` or `x` is expected";
     assert!(message.ends_with(expected), "{message}");
-    let message = read(&replaced(&gadget, "Density\0", "coords\0\0"));
-    let expected = "dataset `coords`: shape [6] where [points, 1 to 3] is expected";
-    assert!(message.ends_with(expected), "{message}");
     let message = read(&replaced(&sample("plain.h5"), "X\0\0\0", "Z\0\0\0"));
     assert!(
         message.ends_with("no group holds particles: a dataset `Coordinates`, `pos` or `x` is expected"),
@@ -171,7 +168,25 @@ fn positions_beside_x_are_an_error_if_they_could_be_meant() {
     assert!(unusable(&table, "pos").contains("a single number"));
     let both = File::new("p.h5", replaced(&plain, "B\0\0\0\0", "pos\0\0"));
     let message = both.read().unwrap_err().to_string();
-    assert!(message.ends_with("there is both `pos` and `x`: one of them is expected"), "{message}");
+    assert!(
+        message.ends_with("coordinates are in `X`, `Y` and in `pos`: one of them is expected"),
+        "{message}"
+    );
+}
+
+#[test]
+fn coordinates_are_found_by_the_names_of_programs_and_by_the_users() {
+    let gadget = sample("gadget.hdf5");
+    let read = |bytes: &[u8], position: &[&str]| {
+        let file = File::new("g.hdf5", bytes);
+        let position = position.iter().map(|&name| name.to_owned()).collect();
+        io::InputFile { position, ..file.1.as_path().into() }.read().map(|table| table.coordinates)
+    };
+    let expected = read(&gadget, &[]).unwrap();
+    assert_eq!(read(&gadget, &["Coordinates"]).unwrap(), expected);
+    assert_eq!(read(&replaced(&gadget, "Coordinates", "Koordinates"), &["Koordinates"]).unwrap(), expected);
+    let plain = sample("plain.h5");
+    assert_eq!(read(&plain, &["Y", "X"]).unwrap()[0], read(&plain, &[]).unwrap()[1]);
 }
 
 #[test]
@@ -281,7 +296,7 @@ fn a_shape_that_the_file_cannot_hold_is_refused() {
         file.rewrite(&claimed);
         match file.read() {
             Ok(table) => assert_eq!(table.len(), 6, "{length}"),
-            Err(error) => assert!(error.to_string().contains("dataset `Coordinates`"), "{error}"),
+            Err(error) => assert!(error.to_string().contains("array `Coordinates`"), "{error}"),
         }
     }
 }

@@ -11,13 +11,15 @@
 //! Arrays are called as in the file, except that `Masses` is `mass`, and `Density` and `Densities` are `density`.
 
 use super::budget::{Budget, refuse_many};
-use super::hdf5_arrays::{Stored, array, numbers, open_arrays};
+use super::hdf5_arrays::{Stored, array, open_arrays};
 use super::hdf5_sets::{self as sets, Set};
 use super::hdf5_units as units;
+use super::npz::place;
 use super::{open, refuse_special};
 use crate::io::InputFile;
 use crate::io::error::{Parsed, Problem};
-use crate::io::names::{AXES, MASS};
+use crate::io::names::{DENSITY, MASS};
+use crate::io::position::Place;
 use crate::io::rows::Rows;
 use crate::io::table::{Array, PointTable, Unusable};
 use hdf5_pure::{Error, File, FormatError, ReadSeekSource, Source};
@@ -38,9 +40,6 @@ const MOST_READ: u64 = 16;
 /// Bytes more for files that are small.
 const SPARE: u64 = 1 << 24;
 
-/// What arrays of coordinates are called, in small letters.
-pub(super) const POSITIONS: [&str; 5] = ["coordinates", "coords", "pos", "position", "positions"];
-
 /// The stack of the reader, which follows types in types, of which 64 kB of a header name 8190: 128 MB without optimisation.
 /// Of it, only what is used is taken.
 const STACK: usize = 1 << 28;
@@ -48,17 +47,17 @@ const STACK: usize = 1 << 28;
 /// Reads a set of particles: the one that is called so, or else `PartType0`, or else the only one. On a thread of its own, so
 /// that neither a small stack nor a panic of the reader ends the process; none is known.
 pub(super) fn read(file: &InputFile) -> Parsed<PointTable> {
-    let (path, set) = (&file.path, file.group.as_deref());
+    let (path, set, named) = (&file.path, file.group.as_deref(), &file.position[..]);
     thread::scope(|scope| {
         let reader = thread::Builder::new().stack_size(STACK);
-        let reader = reader.spawn_scoped(scope, || read_file(path, set))?;
+        let reader = reader.spawn_scoped(scope, || read_file(path, set, named))?;
         let panicked =
             |_| Err(Problem::new("the file is damaged, in a way that the reader of HDF5 has no words for"));
         reader.join().unwrap_or_else(panicked)
     })
 }
 
-fn read_file(path: &Path, set: Option<&str>) -> Parsed<PointTable> {
+fn read_file(path: &Path, set: Option<&str>, named: &[String]) -> Parsed<PointTable> {
     let expected = "a regular file is expected, because HDF5 is not read from its start to its end";
     refuse_special(path, false, expected)?;
     let bytes = path.metadata()?.len();
@@ -66,9 +65,9 @@ fn read_file(path: &Path, set: Option<&str>) -> Parsed<PointTable> {
         ReadSeekSource::new(open(path, MAGIC)?.into_inner()).map_err(|error| unreadable(error.into()))?;
     let left = AtomicU64::new(bytes.saturating_mul(MOST_READ).saturating_add(SPARE));
     let file = File::from_source(Limited { whole, left }).map_err(unreadable)?;
-    let set = sets::choose(&file, set)?;
+    let set = sets::choose(&file, set, named)?;
     let at = format!("group `{}`", set.path);
-    assemble(&file, &set, &Budget::of_file(bytes)).map_err(|problem| problem.or_at(&at))
+    assemble(&file, &set, named, &Budget::of_file(bytes)).map_err(|problem| problem.or_at(&at))
 }
 
 /// A file of which so many bytes more are read.
@@ -112,83 +111,41 @@ pub(super) fn words(error: &Error) -> String {
 }
 
 /// The table of a set.
-fn assemble(file: &File, set: &Set, budget: &Budget) -> Parsed<PointTable> {
+fn assemble(file: &File, set: &Set, named: &[String], budget: &Budget) -> Parsed<PointTable> {
     let mut datasets = open_arrays(&set.group)?;
     refuse_many(datasets.len()).map_err(Problem::new)?;
     let notes = units::notes(file, &datasets);
-    let coordinates = coordinates(&mut datasets, budget)?;
-    let points = coordinates.first().map_or(0, Vec::len);
-    rename(&mut datasets);
-    let mut arrays: Vec<Array> = datasets.iter().map(|dataset| array(dataset, points, budget)).collect();
+    rename(&mut datasets)?;
+    let shapes = datasets.iter().map(|dataset| (dataset.name.as_str(), &dataset.shape[..]));
+    let place = place(shapes, named)?;
+    let first = place.as_ref().and_then(|place| place.arrays().first());
+    let points = first.and_then(|&at| datasets[at].shape.first().copied()).unwrap_or(0);
+    // the coordinates first: what is wrong with others must not take what may be read from them
+    let coordinates = place.as_ref().map_or(&[][..], Place::arrays);
+    let mut order: Vec<usize> = (0..datasets.len()).collect();
+    order.sort_by_key(|at| !coordinates.contains(at));
+    let mut arrays: Vec<Array> = order.iter().map(|&at| array(&datasets[at], points, budget)).collect();
     let has_mass = arrays.iter().any(|array| MASS.iter().any(|mass| array.name.eq_ignore_ascii_case(mass)));
     if !has_mass {
         arrays.extend(set.mass(file).map(|mass| mass_of_all(mass, points, budget)));
     }
-    let table = PointTable::assemble(coordinates, arrays, Rows::points())?;
+    let table = PointTable::of_arrays(arrays, Rows::points(), named)?;
     Ok(PointTable { notes, ..table })
 }
 
-/// Takes the coordinates out of `datasets`, axis by axis.
-fn coordinates(datasets: &mut Vec<Stored>, budget: &Budget) -> Parsed<Vec<Vec<f64>>> {
-    let has_x = datasets.iter().any(|dataset| dataset.is(AXES[0]));
-    // Beside `x`, positions of another shape are an array like any other.
-    let index =
-        datasets.iter().position(|dataset| dataset.is_positions() && (!has_x || dataset.axes().is_some()));
-    match index {
-        Some(index) if has_x => {
-            let name = &datasets[index].name;
-            Err(Problem::new(format!("there is both `{name}` and `x`: one of them is expected")))
+/// Gives mass and density their special names.
+fn rename(datasets: &mut [Stored]) -> Parsed<()> {
+    for (name, special) in [("Masses", MASS), ("Density", DENSITY), ("Densities", DENSITY)] {
+        let Some(at) = datasets.iter().position(|dataset| dataset.name == name) else { continue };
+        let is_special =
+            |other: &&Stored| special.iter().any(|special| other.is(special)) && other.name != name;
+        if let Some(other) = datasets.iter().find(is_special) {
+            let problem = format!("both `{name}` and `{}` are there: one of them is expected", other.name);
+            return Err(Problem::new(problem));
         }
-        Some(index) => positions(&datasets.remove(index), budget),
-        None => axes(datasets, budget),
+        special[1].clone_into(&mut datasets[at].name);
     }
-}
-
-/// The coordinates of one dataset of N×D.
-fn positions(dataset: &Stored, budget: &Budget) -> Parsed<Vec<Vec<f64>>> {
-    let at = format!("dataset `{}`", dataset.name);
-    let Some(axes) = dataset.axes() else {
-        let problem = format!("shape {:?} where [points, 1 to 3] is expected", dataset.shape);
-        return Err(Problem::at(at, problem));
-    };
-    let values = numbers(dataset, budget).map_err(|unusable| Problem::at(&at, unusable.problem))?;
-    budget.grow(values.len()).map_err(|problem| Problem::at(at, problem))?;
-    let axis = |axis: usize| values.iter().skip(axis).step_by(axes).copied().collect();
-    Ok((0..axes).map(axis).collect())
-}
-
-/// The coordinates `x`, `y` and `z` of a dataset each.
-fn axes(datasets: &mut Vec<Stored>, budget: &Budget) -> Parsed<Vec<Vec<f64>>> {
-    let mut coordinates = Vec::new();
-    let mut missing = None;
-    for axis in AXES {
-        let Some(index) = datasets.iter().position(|dataset| dataset.is(axis)) else {
-            missing = missing.or(Some(axis));
-            continue;
-        };
-        if let Some(missing) = missing {
-            return Err(Problem::new(format!("there is a `{axis}` but no `{missing}`")));
-        }
-        let dataset = datasets.remove(index);
-        let at = format!("dataset `{}`", dataset.name);
-        if dataset.shape.len() != 1 {
-            let problem = format!("shape {:?} where [points] is expected", dataset.shape);
-            return Err(Problem::at(at, problem));
-        }
-        coordinates.push(numbers(&dataset, budget).map_err(|unusable| Problem::at(at, unusable.problem))?);
-    }
-    Ok(coordinates)
-}
-
-/// Gives mass and density their special names, unless these are taken.
-fn rename(datasets: &mut [Stored]) {
-    for (name, special) in [("Masses", "mass"), ("Density", "density"), ("Densities", "density")] {
-        if datasets.iter().all(|dataset| !dataset.is(special) || dataset.name == name)
-            && let Some(dataset) = datasets.iter_mut().find(|dataset| dataset.name == name)
-        {
-            special.clone_into(&mut dataset.name);
-        }
-    }
+    Ok(())
 }
 
 /// The mass of the header for every point.

@@ -2,7 +2,6 @@
 
 use super::budget::{Budget, refuse_wide};
 use super::hdf5::words;
-use super::hdf5_sets::is_positions;
 use super::hdf5_units::attribute_numbers;
 use super::npz::{is_single, unfit};
 use crate::io::error::{Parsed, Problem, counted, shown};
@@ -26,19 +25,6 @@ impl Stored {
         self.name.eq_ignore_ascii_case(name)
     }
 
-    /// Whether the dataset is called as coordinates are.
-    pub(super) fn is_positions(&self) -> bool {
-        is_positions(&self.name)
-    }
-
-    /// How many coordinates a point has, if the shape is that of positions.
-    pub(super) fn axes(&self) -> Option<usize> {
-        match self.shape[..] {
-            [_, axes @ 1..=3] => Some(axes),
-            _ => None,
-        }
-    }
-
     /// A number of the dataset's attributes.
     pub(super) fn attribute(&self, name: &str) -> Option<f64> {
         let value = self.attributes.as_ref()?.get(name)?;
@@ -53,7 +39,9 @@ impl Stored {
 
 /// The datasets of a group that are written.
 pub(super) fn open_arrays(group: &Group) -> Parsed<Vec<Stored>> {
-    let whole = |error: Error| Problem::new(format!("damaged or cut short: {}", words(&error)));
+    let whole = |error: Error| {
+        Problem::new(format!("damaged, cut short, or with links, which are not read: {}", words(&error)))
+    };
     let mut arrays = Vec::new();
     for (name, dataset) in group.iter_datasets().map_err(whole)? {
         let lengths = dataset.shape().map_err(|error| {
@@ -111,7 +99,7 @@ fn all_of(stored: &Stored, points: usize, budget: &Budget) -> Result<Vec<f64>, U
 }
 
 /// The numbers of a dataset, in the order of its shape.
-pub(super) fn numbers(stored: &Stored, budget: &Budget) -> Result<Vec<f64>, Unusable> {
+fn numbers(stored: &Stored, budget: &Budget) -> Result<Vec<f64>, Unusable> {
     let Stored { shape, dataset, .. } = stored;
     let kind = dataset.datatype().map_err(damaged)?;
     if !is_numeric(&kind) {

@@ -1,9 +1,9 @@
 //! The sets of particles in an HDF5 file, and the one that is meant.
 
-use super::hdf5::{POSITIONS, words};
+use super::hdf5::words;
 use super::hdf5_units::attribute_numbers;
 use crate::io::error::{Parsed, Problem};
-use crate::io::names::AXES;
+use crate::io::position::may_begin;
 use hdf5_pure::{File, Group};
 
 /// The set that is read where none is asked for: the gas of Gadget, SWIFT and AREPO.
@@ -32,16 +32,16 @@ pub(super) struct Set {
 }
 
 /// The set that is called `wanted`; without that, `PartType0`, or the only set.
-pub(super) fn choose(file: &File, wanted: Option<&str>) -> Parsed<Set> {
+pub(super) fn choose(file: &File, wanted: Option<&str>, position: &[String]) -> Parsed<Set> {
     if let Some(name) = wanted {
-        return named(file, name);
+        return named(file, name, position);
     }
-    if let Some(usual) = at(file, USUAL)? {
+    if let Some(usual) = at(file, USUAL, position)? {
         return Ok(usual);
     }
-    let mut sets = all(file)?;
+    let mut sets = all(file, position)?;
     match sets.len() {
-        0 => Err(Problem::new(format!("no group holds {WANTED}"))),
+        0 => Err(Problem::position(format!("no group holds {WANTED}"))),
         1 => Ok(sets.remove(0)),
         _ => Err(Problem::SeveralSets { sets: names(&sets) }),
     }
@@ -51,7 +51,7 @@ pub(super) fn choose(file: &File, wanted: Option<&str>) -> Parsed<Set> {
 const WANTED: &str = "particles: a dataset `Coordinates`, `pos` or `x` is expected";
 
 /// The set that is called `name`, by PySPH's name or by its place.
-fn named(file: &File, name: &str) -> Parsed<Set> {
+fn named(file: &File, name: &str, position: &[String]) -> Parsed<Set> {
     let (particles, arrays) = PYSPH;
     let path = name.trim_matches('/');
     let within = |inner: String| if path.is_empty() { arrays.to_owned() } else { inner };
@@ -62,7 +62,7 @@ fn named(file: &File, name: &str) -> Parsed<Set> {
         within(format!("{particles}/{path}")),
     ];
     for place in &places {
-        if let Some(set) = at(file, place)? {
+        if let Some(set) = at(file, place, position)? {
             return Ok(set);
         }
     }
@@ -70,16 +70,16 @@ fn named(file: &File, name: &str) -> Parsed<Set> {
         Some(_) => format!("the group `{name}` does not hold {WANTED}"),
         None => format!("there is no group `{name}`"),
     };
-    let sets = names(&all(file)?);
+    let sets = names(&all(file, position)?);
     let others = if sets.is_empty() { "no other does".to_owned() } else { format!("there are {sets}") };
     Err(Problem::new(format!("{problem}; of the groups with particles {others}")))
 }
 
 /// The set at a place, if there is one.
-fn at(file: &File, path: &str) -> Parsed<Option<Set>> {
+fn at(file: &File, path: &str, position: &[String]) -> Parsed<Option<Set>> {
     let Some(group) = group(file, path) else { return Ok(None) };
     let path = if path.is_empty() { "/" } else { path }.to_owned();
-    Ok(is_set(&group, &path)?.then_some(Set { path, group }))
+    Ok(is_set(&group, &path, position)?.then_some(Set { path, group }))
 }
 
 /// The group at a place, if there is one.
@@ -88,18 +88,13 @@ fn group(file: &File, path: &str) -> Option<Group> {
 }
 
 /// Whether there are coordinates among a group's datasets.
-fn is_set(group: &Group, path: &str) -> Parsed<bool> {
+fn is_set(group: &Group, path: &str, position: &[String]) -> Parsed<bool> {
     let datasets = group.datasets().map_err(|error| damaged(path, &error))?;
-    Ok(datasets.iter().any(|name| name.eq_ignore_ascii_case(AXES[0]) || is_positions(name)))
-}
-
-/// Whether a dataset of this name is one of coordinates.
-pub(super) fn is_positions(name: &str) -> bool {
-    POSITIONS.iter().any(|positions| name.eq_ignore_ascii_case(positions))
+    Ok(datasets.iter().any(|name| may_begin(name, position)))
 }
 
 /// Every set of the file; those of Gadget's kinds alone where there are such, since SWIFT gives them second names.
-fn all(file: &File) -> Parsed<Vec<Set>> {
+fn all(file: &File, position: &[String]) -> Parsed<Vec<Set>> {
     let mut sets = Vec::new();
     let mut waiting = vec![(String::from("/"), file.root(), 0)];
     let mut seen = 0;
@@ -117,7 +112,7 @@ fn all(file: &File) -> Parsed<Vec<Set>> {
             inner.reverse();
             waiting.append(&mut inner);
         }
-        if is_set(&group, &path)? {
+        if is_set(&group, &path, position)? {
             sets.push(Set { path, group });
         }
     }
@@ -128,7 +123,10 @@ fn all(file: &File) -> Parsed<Vec<Set>> {
 }
 
 fn damaged(path: &str, error: &hdf5_pure::Error) -> Problem {
-    Problem::at(format!("group `{path}`"), format!("damaged or cut short: {}", words(error)))
+    Problem::at(
+        format!("group `{path}`"),
+        format!("damaged, cut short, or with links, which are not read: {}", words(error)),
+    )
 }
 
 /// The names of sets, for a message.

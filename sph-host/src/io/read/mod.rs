@@ -63,7 +63,7 @@ impl Format {
         self.pieces.is_some()
     }
 
-    fn is_text_table(&self) -> bool {
+    pub(super) fn is_text_table(&self) -> bool {
         self.endings.iter().any(|ending| [".csv", ".tsv"].contains(ending))
     }
 }
@@ -136,12 +136,14 @@ pub fn read(path: &Path) -> Result<PointTable, ReadError> {
 
 /// Reads a file that is at hand.
 pub(super) fn whole(format: &Format, file: &InputFile) -> Parsed<PointTable> {
-    if file.skip_lines > 0 && !format.is_text_table() {
-        return Err(Problem::new("lines are skipped in text tables (.csv, .tsv) alone"));
-    }
     let table = (format.read)(file)?;
     // formats that have coordinates of their own know nothing of names
-    if file.position.is_empty() || table.is_placed { Ok(table) } else { table.placed(&file.position) }
+    let is_own = matches!(&file.position[..], [name] if name.eq_ignore_ascii_case("Points"));
+    if file.position.is_empty() || table.is_placed || is_own {
+        Ok(table)
+    } else {
+        table.placed(&file.position)
+    }
 }
 
 /// Refuses a device, which may never end, and a pipe unless it may be one. `expected` says what can be read.
