@@ -7,7 +7,7 @@ use clap::Args;
 use super::failure::Failure;
 use super::parse;
 use crate::demo;
-use crate::io::{GROUPED, InputFile};
+use crate::io::{InputFile, Takes, endings_that_take};
 use crate::sample::{Only, ParticleSource};
 
 /// What a file's name does not say.
@@ -76,7 +76,7 @@ impl InputArgs {
         let format = self.format.clone().filter(|_| file.is_standard_input());
         let file = InputFile { format, position: self.position.clone(), ..file };
         // a group is that of the particles, and of points in such a file
-        let is_grouped = file.known_format()?.0.endings == GROUPED;
+        let is_grouped = file.known_format()?.0.takes == Takes::Groups;
         known(InputFile { group: self.group.clone().filter(|_| is_grouped), ..file })
     }
 }
@@ -85,7 +85,7 @@ fn group_help() -> String {
     format!(
         "The particles of this group of an HDF5 file ({}): PySPH's name, such as fluid, or a place, such as PartType1; without it, \
          PartType0 or the only group with particles",
-        GROUPED.join(", ")
+        endings_that_take(Takes::Groups).copied().collect::<Vec<_>>().join(", ")
     )
 }
 

@@ -27,7 +27,10 @@ pub enum ReadError {
         file: String,
     },
     /// A group was named for a file that has none. The file has not been looked at.
-    #[error("{file}: a file with this ending has no groups; one of {} has", list(&super::GROUPED))]
+    #[error(
+        "{file}: a file with this ending has no groups; one of {} has",
+        list(super::endings_that_take(super::Takes::Groups))
+    )]
     NoGroups {
         /// The file's name as given.
         file: String,
@@ -69,7 +72,10 @@ pub enum ReadError {
         problem: String,
     },
     /// Lines are to be skipped in a file that is no text table. The file has not been looked at.
-    #[error("{file}: lines are skipped in text tables alone: .csv, .tsv")]
+    #[error(
+        "{file}: lines are skipped in text tables alone: {}",
+        list(super::endings_that_take(super::Takes::Lines))
+    )]
     NoLines {
         /// The file's name as given.
         file: String,

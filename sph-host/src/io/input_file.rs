@@ -1,7 +1,7 @@
 //! A file to be read, and how where its name does not say.
 
 use super::error::{Problem, ReadError};
-use super::read::{self, Format, Pieces};
+use super::read::{self, Format, Pieces, Takes};
 use super::table::PointTable;
 use std::fs::File;
 use std::io::{self, Read, Write};
@@ -46,9 +46,6 @@ pub(crate) struct AtHand {
     /// The temporary file is there as long as this.
     spool: Option<Arc<TempPath>>,
 }
-
-/// How much of a packed file is unpacked at most, as a multiple of its bytes: Deflate packs no more.
-const MOST_PACKED: u64 = read::budget::MOST_PACKED;
 
 impl From<PathBuf> for InputFile {
     fn from(path: PathBuf) -> Self {
@@ -112,13 +109,13 @@ impl InputFile {
         };
         let format = read::format_of(inner).ok_or_else(unknown)?;
         let file = self.name();
-        if self.group.is_some() && format.endings != read::GROUPED {
+        if self.group.is_some() && format.takes != Takes::Groups {
             return Err(ReadError::NoGroups { file });
         }
-        if self.skip_lines > 0 && !format.is_text_table() {
+        if self.skip_lines > 0 && format.takes != Takes::Lines {
             return Err(ReadError::NoLines { file });
         }
-        if format.endings.contains(&".pvtu") && (is_packed || self.is_standard_input()) {
+        if format.takes == Takes::Folder && (is_packed || self.is_standard_input()) {
             return Err(ReadError::NotBeside { file });
         }
         Ok((format, is_packed))
@@ -199,7 +196,7 @@ fn copy(
             return Ok(());
         }
         total += bytes as u64;
-        if total > (1 << 20) + unpacked.get_ref().bytes.saturating_mul(MOST_PACKED) {
+        if total > (1 << 20) + unpacked.get_ref().bytes.saturating_mul(read::budget::MOST_PACKED) {
             return Err(Problem::new("it unpacks to more than Deflate can pack"));
         }
         write(&buffer[..bytes])?;

@@ -56,6 +56,6 @@ pub(crate) use input_file::AtHand;
 pub use input_file::InputFile;
 pub(crate) use names::fill_empty_names;
 pub use quantity::Quantity;
-pub use read::{ENDINGS, FORMATS, Format, GROUPED, Pieces, read};
+pub use read::{ENDINGS, FORMATS, Format, Pieces, Takes, endings_that_take, read};
 pub use series::{Moment, is_series, read_series};
 pub use table::{Array, Fault, PointTable};

@@ -27,6 +27,26 @@ pub(super) enum Endian {
     Big,
 }
 
+/// Calls the macro `$each` with the type of a stored number and the function that makes `f64` of it, or does what is to be done for bits.
+macro_rules! with_stored {
+    ($stored:expr, $each:ident, $bits:block) => {
+        match $stored {
+            Self::I8 => $each!(i8, f64::from),
+            Self::U8 => $each!(u8, f64::from),
+            Self::I16 => $each!(i16, f64::from),
+            Self::U16 => $each!(u16, f64::from),
+            Self::I32 => $each!(i32, f64::from),
+            Self::U32 => $each!(u32, f64::from),
+            Self::I64 => $each!(i64, |v| v as f64),
+            Self::U64 => $each!(u64, |v| v as f64),
+            Self::F16 => $each!(f16, f64::from),
+            Self::F32 => $each!(f32, f64::from),
+            Self::F64 => $each!(f64, |v| v),
+            Self::Bit => $bits,
+        }
+    };
+}
+
 impl Stored {
     /// The bytes that `count` numbers take; `None` when that is beyond what can be addressed.
     pub(super) fn bytes(self, count: usize) -> Option<usize> {
@@ -52,23 +72,10 @@ impl Stored {
                 out.extend(chunks.iter().take(count).map(|chunk| $value(read(*chunk))))
             }};
         }
-        match self {
-            Self::I8 => each!(i8, f64::from),
-            Self::U8 => each!(u8, f64::from),
-            Self::I16 => each!(i16, f64::from),
-            Self::U16 => each!(u16, f64::from),
-            Self::I32 => each!(i32, f64::from),
-            Self::U32 => each!(u32, f64::from),
-            Self::I64 => each!(i64, |v| v as f64),
-            Self::U64 => each!(u64, |v| v as f64),
-            Self::F16 => each!(f16, f64::from),
-            Self::F32 => each!(f32, f64::from),
-            Self::F64 => each!(f64, |v| v),
-            Self::Bit => {
-                let bits = bytes.iter().flat_map(|byte| (0..8).rev().map(move |bit| byte >> bit & 1));
-                out.extend(bits.take(count).map(f64::from));
-            }
-        }
+        with_stored!(self, each, {
+            let bits = bytes.iter().flat_map(|byte| (0..8).rev().map(move |bit| byte >> bit & 1));
+            out.extend(bits.take(count).map(f64::from));
+        });
     }
 
     /// Appends `components` numbers that stand at byte `offset` of each record of `length` bytes; bits do not stand so.
@@ -92,20 +99,7 @@ impl Stored {
                 }
             };
         }
-        match self {
-            Self::Bit => {}
-            Self::I8 => each!(i8, f64::from),
-            Self::U8 => each!(u8, f64::from),
-            Self::I16 => each!(i16, f64::from),
-            Self::U16 => each!(u16, f64::from),
-            Self::I32 => each!(i32, f64::from),
-            Self::U32 => each!(u32, f64::from),
-            Self::I64 => each!(i64, |v| v as f64),
-            Self::U64 => each!(u64, |v| v as f64),
-            Self::F16 => each!(f16, f64::from),
-            Self::F32 => each!(f32, f64::from),
-            Self::F64 => each!(f64, |v| v),
-        }
+        with_stored!(self, each, {});
     }
 }
 

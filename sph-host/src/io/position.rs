@@ -12,6 +12,10 @@ use super::table::Array;
 /// The names of arrays of coordinates, in small letters.
 const VECTORS: [&str; 6] = ["pos", "position", "positions", "coordinates", "coords", "points"];
 
+fn is_vector(name: &str) -> bool {
+    VECTORS.iter().any(|vector| name.eq_ignore_ascii_case(vector))
+}
+
 /// Where coordinates are, by the numbers of arrays.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum Place {
@@ -62,7 +66,6 @@ pub(super) fn may_begin(name: &str, named: &[String]) -> bool {
         let is_it = |name: &str| name.eq_ignore_ascii_case(without_unit(first));
         return is_it(name) || vector.is_some_and(|(vector, _)| is_it(vector));
     }
-    let is_vector = |name: &str| VECTORS.iter().any(|vector| name.eq_ignore_ascii_case(vector));
     name.eq_ignore_ascii_case(AXES[0])
         || is_vector(name)
         || vector.is_some_and(|(vector, axis)| axis == 0 && is_vector(vector))
@@ -160,7 +163,6 @@ fn alone(arrays: &[(&str, usize)]) -> Parsed<Option<Place>> {
         let missing = AXES.iter().find(|axis| !has(axis)).unwrap_or(axis);
         return Err(Problem::position(format!("there is a `{axis}` but no `{missing}`")));
     }
-    let is_vector = |name: &str| VECTORS.iter().any(|vector| name.eq_ignore_ascii_case(vector));
     match arrays.iter().position(|(name, _)| is_vector(name)) {
         Some(at) if arrays[at].1 > 3 => {
             let (name, numbers) = arrays[at];

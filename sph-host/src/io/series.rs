@@ -1,9 +1,11 @@
 //! Series in time: ParaView's `.pvd`, which names a file for each moment.
 
 use super::error::{Problem, ReadError, shown};
+use super::read::beside;
+use super::read::xml_arrays::attribute;
 use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
-use std::path::{Component, Path, PathBuf};
+use std::path::{Path, PathBuf};
 
 /// A file of a series, and its time.
 #[derive(Clone, Debug, PartialEq)]
@@ -69,26 +71,14 @@ fn moments(text: &str) -> Result<Vec<Moment>, Problem> {
 }
 
 fn moment(tag: &BytesStart<'_>, number: usize) -> Result<Moment, String> {
-    let attribute = |name: &str| {
-        let value = tag.try_get_attribute(name).map_err(|error| format!("attribute {name}: {error}"))?;
-        let value = value.map(|value| value.normalized_value(quick_xml::XmlVersion::Implicit1_0));
-        value.transpose().map_err(|error| format!("attribute {name}: {error}"))
-    };
-    let path = attribute("file")?.ok_or("a DataSet names no file")?;
-    let is_below =
-        Path::new(&*path).components().all(|part| matches!(part, Component::Normal(_) | Component::CurDir));
-    if path.is_empty() || !is_below {
-        return Err(format!(
-            "{} where a file in the folder of the series is expected",
-            shown(path.as_bytes())
-        ));
-    }
-    let time = match attribute("timestep")? {
+    let name = attribute(tag, "file")?.ok_or("a DataSet names no file")?;
+    let path = beside(&name)?;
+    let time = match attribute(tag, "timestep")? {
         None => number as f64,
         Some(text) => match text.trim().parse() {
             Ok(time) if f64::is_finite(time) => time,
             _ => return Err(format!("the timestep {} where a number is expected", shown(text.as_bytes()))),
         },
     };
-    Ok(Moment { time, path: PathBuf::from(&*path) })
+    Ok(Moment { time, path })
 }

@@ -139,34 +139,21 @@ impl PointTable {
     }
 
     /// As [`new`](Self::new), before the source is known, and without the units behind names.
-    pub(super) fn assemble(coordinates: Vec<Vec<f64>>, mut arrays: Vec<Array>, rows: Rows) -> Parsed<Self> {
-        drop_units(&mut arrays);
+    pub(super) fn assemble(coordinates: Vec<Vec<f64>>, arrays: Vec<Array>, rows: Rows) -> Parsed<Self> {
         let names = AXES.iter().take(coordinates.len()).map(|&axis| axis.to_owned()).collect();
-        Self {
-            source: String::new(),
-            coordinates: Vec::new(),
-            arrays,
-            notes: Vec::new(),
-            axes: Vec::new(),
-            rows,
-            is_placed: false,
-        }
-        .at(Coordinates { names, values: coordinates })
+        Self::without_coordinates(arrays, rows).at(Coordinates { names, values: coordinates })
     }
 
     /// A table of arrays of which some are the coordinates: those that `named` names, or those of usual names.
-    pub(super) fn of_arrays(mut arrays: Vec<Array>, rows: Rows, named: &[String]) -> Parsed<Self> {
+    pub(super) fn of_arrays(arrays: Vec<Array>, rows: Rows, named: &[String]) -> Parsed<Self> {
+        Self::without_coordinates(arrays, rows).placed(named)
+    }
+
+    /// A table that is not whole yet: the units behind names are dropped.
+    fn without_coordinates(mut arrays: Vec<Array>, rows: Rows) -> Self {
         drop_units(&mut arrays);
-        let table = Self {
-            source: String::new(),
-            coordinates: Vec::new(),
-            arrays,
-            notes: Vec::new(),
-            axes: Vec::new(),
-            rows,
-            is_placed: false,
-        };
-        table.placed(named)
+        let (source, coordinates, notes, axes) = (String::new(), Vec::new(), Vec::new(), Vec::new());
+        Self { source, coordinates, arrays, notes, axes, rows, is_placed: false }
     }
 
     /// The table with the coordinates that are among its arrays, in place of those that it has.

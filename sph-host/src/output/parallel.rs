@@ -85,7 +85,7 @@ pub fn write_collection(moments: &[(f64, PathBuf)], target: &Target) -> Result<(
             "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\">\n<Collection>"
         )?;
         for (time, file) in moments {
-            writeln!(writer, r#"<DataSet timestep="{time}" part="0" file="{}"/>"#, file_name(file))?;
+            writeln!(writer, r#"<DataSet timestep="{time}" file="{}"/>"#, file_name(file))?;
         }
         writeln!(writer, "</Collection>\n</VTKFile>")
     })

@@ -229,16 +229,9 @@ impl RunFolder {
         let rows = &run.series.rows;
         let before = rows.iter().step_by(ROWS_A_FRAME as usize).take(run.frames as usize - 1);
         let times = before.chain(rows.last()).map(|row| row[0]);
-        Ok(target(self.collection()).create(|file| {
-            writeln!(
-                file,
-                "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\">\n<Collection>"
-            )?;
-            for (number, time) in times.enumerate() {
-                writeln!(file, r#"<DataSet timestep="{time}" file="frame_{number:04}.vtu"/>"#)?;
-            }
-            writeln!(file, "</Collection>\n</VTKFile>")
-        })?)
+        let moments: Vec<(f64, PathBuf)> =
+            times.zip(0..).map(|(time, number)| (time, self.frame(number))).collect();
+        Ok(output::write_collection(&moments, &target(self.collection()))?)
     }
 }
 

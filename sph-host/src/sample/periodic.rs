@@ -7,6 +7,7 @@
 
 use super::error::SampleError;
 use super::particles::Particles;
+use super::region::MARGIN;
 use super::request::Request;
 use super::span::Span;
 
@@ -25,9 +26,6 @@ pub(super) struct PeriodicBox {
     /// How far beyond the box there are images.
     reach: f64,
 }
-
-/// Margin over what sums can depend on, for the rounding of distances in the coarsest scalar.
-const MARGIN: f64 = 1.01;
 
 /// Most images of one particle: more say that the box is not that of the particles.
 const MOST_IMAGES: f64 = 1e4;

@@ -6,7 +6,7 @@ use super::request::Request;
 use super::span::{Bounds, Span};
 
 /// Margin over what sums can depend on, for the rounding of distances in the coarsest scalar.
-const MARGIN: f64 = 1.01;
+pub(super) const MARGIN: f64 = 1.01;
 
 /// How far from points particles matter to sums there: h, and h more for the densities in them.
 pub(super) fn reach(span: &Span, axis: usize) -> f64 {

@@ -5,6 +5,7 @@ mod bombs;
 mod damage;
 
 mod hdf5;
+mod hdf5_damage;
 mod npy;
 mod parted;
 mod ply;

@@ -1,5 +1,6 @@
 //! Single arrays of NumPy.
 
+use sph_host::io::InputFile;
 use zip::CompressionMethod;
 
 use crate::support::{File, archive, npy, read, refused, three_points, unusable, values};
@@ -117,4 +118,18 @@ fn records_in_an_archive_are_told_what_is_expected() {
     }
     let message = refused("p.npz", archive(&[("x.npy", member)], CompressionMethod::Stored));
     assert_eq!(message, format!("p.npz: array `x`: {words}"));
+}
+
+/// 3 N numbers in a row could be the coordinates of N points: nobody is to take them for 3 N points on a line unasked.
+#[test]
+fn one_row_of_positions_is_refused_unless_it_is_named() {
+    let flat =
+        archive(&[("pos.npy", npy("(6,)", &[0.0, 1.0, 2.0, 3.0, 4.0, 5.0]))], CompressionMethod::Stored);
+    let message = refused("p.npz", &flat);
+    assert_eq!(message, "p.npz: `pos` has the shape [6] where [points, 1 to 3] is expected");
+    let file = File::new("p.npz", &flat);
+    let named = InputFile { position: vec!["pos".to_owned()], ..file.1.as_path().into() };
+    assert_eq!((named.read().unwrap().dimensions(), named.read().unwrap().len()), (1, 6));
+    let column = archive(&[("pos.npy", npy("(6, 1)", &[0.0; 6]))], CompressionMethod::Stored);
+    assert_eq!(read("p.npz", column).dimensions(), 1);
 }

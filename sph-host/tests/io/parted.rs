@@ -69,16 +69,12 @@ fn pieces_that_cannot_be_read_are_named() {
 
 #[test]
 fn a_path_that_leaves_the_folder_is_refused() {
-    for path in ["../a.vtu", "b/../../a.vtu", "b/..", "/etc/passwd", "/", "./../p.pvtu"] {
+    for path in ["../a.vtu", "b/../../a.vtu", "b/..", "/etc/passwd", "/", "./../p.pvtu", "", ".", "./"] {
         let message = beside(&["a.vtu", path]).unwrap_err();
         let words = format!(
-            "the piece `{path}` may be outside the folder of this file: a relative path without `..`"
+            "the piece `{path}` where a file in the folder of this one is expected: a relative path without `..`"
         );
         assert!(message.starts_with("byte ") && message.contains(&words), "{message}");
-    }
-    for path in ["", ".", "./"] {
-        let message = beside(&[path]).unwrap_err();
-        assert!(message.ends_with("where the path of a file is expected"), "{message}");
     }
 }
 

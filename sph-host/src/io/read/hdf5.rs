@@ -28,9 +28,6 @@ use std::path::Path;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::thread;
 
-/// The endings of the files that are read here.
-pub(super) const ENDINGS: [&str; 2] = [".h5", ".hdf5"];
-
 /// The first bytes of a file.
 const MAGIC: &[u8] = b"\x89HDF\r\n\x1a\n";
 

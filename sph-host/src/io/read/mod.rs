@@ -29,11 +29,11 @@ mod records;
 mod text_columns;
 mod text_numbers;
 mod xml;
-mod xml_arrays;
+pub(super) mod xml_arrays;
 mod xyz;
 mod xz;
 
-use super::error::{Parsed, Problem, ReadError};
+use super::error::{Parsed, Problem, ReadError, shown};
 use super::input_file::InputFile;
 use super::rows::Rows;
 use super::table::{Array, PointTable};
@@ -41,7 +41,7 @@ pub use pieces::Pieces;
 use pieces::Source;
 use std::fs::File;
 use std::io::{BufRead, BufReader, Read};
-use std::path::Path;
+use std::path::{Component, Path, PathBuf};
 
 /// A format that is read, chosen by the file's ending.
 #[derive(Debug, Clone, Copy)]
@@ -50,8 +50,23 @@ pub struct Format {
     pub endings: &'static [&'static str],
     /// What is read, in a few words.
     pub about: &'static str,
+    /// What can be said of such a file beyond its name.
+    pub takes: Takes,
     read: fn(&InputFile) -> Parsed<PointTable>,
     pieces: Option<OpenPieces>,
+}
+
+/// What a file of a format can be asked for, or cannot be.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Takes {
+    /// Lines before a header to pass over: [`InputFile::skip_lines`].
+    Lines,
+    /// The name of a group of particles: [`InputFile::group`].
+    Groups,
+    /// A place in its own folder alone, beside the files that it names: neither packed nor from standard input.
+    Folder,
+    /// None of these.
+    Nothing,
 }
 
 /// Opens a file to be read some points at a time.
@@ -62,21 +77,17 @@ impl Format {
     pub fn is_read_in_pieces(&self) -> bool {
         self.pieces.is_some()
     }
-
-    pub(super) fn is_text_table(&self) -> bool {
-        self.endings.iter().any(|ending| [".csv", ".tsv"].contains(ending))
-    }
 }
 
 macro_rules! formats {
-    ($($endings:tt $about:literal $read:expr, $pieces:expr;)+) => {
+    ($($endings:tt $about:literal $takes:ident $read:expr, $pieces:expr;)+) => {
         /// Every format that is read: what [`read`] and [`Pieces`] know.
         ///
         /// | ending | what is read |
         /// |---|---|
         $(#[doc = formats!(@row $endings $about)])+
         pub const FORMATS: &[Format] =
-            &[$(Format { endings: &$endings, about: $about, read: $read, pieces: $pieces }),+];
+            &[$(Format { endings: &$endings, about: $about, takes: Takes::$takes, read: $read, pieces: $pieces }),+];
 
         /// The endings of all [`FORMATS`]; they are known in any case of letters.
         pub const ENDINGS: &[&str] = formats!(@endings $($endings)+);
@@ -89,31 +100,33 @@ macro_rules! formats {
 
 formats! {
     [".csv"] "RFC 4180 with a header, or `;` between cells and decimal commas; `#` comments, blank lines and blanks around cells (not those between quotation marks) are passed over"
-        csv::read::<b','>, Some(csv::pieces::<b','>);
+        Lines csv::read::<b','>, Some(csv::pieces::<b','>);
     [".tsv"] "the same with tabs between the cells"
-        csv::read::<b'\t'>, Some(csv::pieces::<b'\t'>);
+        Lines csv::read::<b'\t'>, Some(csv::pieces::<b'\t'>);
     [".vtk"] "VTK's legacy format to version 5.1, ASCII and binary: unstructured grid, polygonal data, structured grid and points"
-        legacy::read, None;
+        Nothing legacy::read, None;
     [".vtu", ".vtp"] "VTK's XML: ASCII, base64 and raw, inline and appended, plain and packed by zlib, LZ4 and LZMA"
-        xml::read, None;
+        Nothing xml::read, None;
     [".pvtu", ".pvtp"] "VTK's XML that names pieces by paths beside it: `.vtu` and `.vtp`, read one after the other"
-        parted::read, None;
+        Folder parted::read, None;
     [".npz"] "NumPy's archive: arrays `x`, `y`, `z`, or `pos`, `positions`, `coordinates` of N×D, stored or deflated; a single `mass` or `density` is that of all"
-        npz::read, Some(npz_rows::pieces);
+        Nothing npz::read, Some(npz_rows::pieces);
     [".npy"] "a single array of NumPy: records with the fields `x`, `y`, `z`, or `pos`, and others; or positions of N×D alone"
-        npy_file::read, None;
+        Nothing npy_file::read, None;
     [".ply"] "the Stanford polygon format, text and binary: the element `vertex` with its scalar properties"
-        ply::read, None;
+        Nothing ply::read, None;
     [".xyz"] "XYZ of one frame, plain and extended: the columns are what `Properties` says, else `species x y z` and numbers"
-        xyz::read, None;
+        Nothing xyz::read, None;
     [".bgeo"] "Houdini's classic binary geometry of version 5, as Partio writes it: the points and their attributes"
-        bgeo::read, None;
+        Nothing bgeo::read, None;
     [".h5", ".hdf5"] "HDF5 of PySPH, Gadget, SWIFT, AREPO and the like: a group with arrays `x`, `y`, `z`, or `Coordinates` or `pos` of N×D"
-        hdf5::read, None;
+        Groups hdf5::read, None;
 }
 
-/// The endings of the files that have groups.
-pub const GROUPED: [&str; 2] = hdf5::ENDINGS;
+/// The endings of the formats that take this.
+pub fn endings_that_take(takes: Takes) -> impl Iterator<Item = &'static &'static str> {
+    FORMATS.iter().filter(move |format| format.takes == takes).flat_map(|format| format.endings)
+}
 
 /// The endings of the formats that are read in pieces.
 pub(super) fn endings_in_pieces() -> impl Iterator<Item = &'static &'static str> {
@@ -187,6 +200,17 @@ fn bytes(path: &Path) -> Parsed<Vec<u8>> {
     let mut bytes = Vec::new();
     open(path, b"")?.read_to_end(&mut bytes)?;
     Ok(bytes)
+}
+
+/// The path of a file beside one that names it: relative and without `..`, so that it stays in the folder.
+pub(super) fn beside(name: &str) -> Result<PathBuf, String> {
+    let is_below = |part| matches!(part, Component::Normal(_) | Component::CurDir);
+    let path: PathBuf = Path::new(name).components().filter(|part| *part != Component::CurDir).collect();
+    if !path.as_os_str().is_empty() && Path::new(name).components().all(is_below) {
+        return Ok(path);
+    }
+    let name = shown(name.as_bytes());
+    Err(format!("{name} where a file in the folder of this one is expected: a relative path without `..`"))
 }
 
 /// The whole of a text.

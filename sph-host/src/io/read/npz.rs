@@ -65,9 +65,10 @@ pub(super) fn assemble(members: Vec<Member>, named: &[String], budget: &Budget) 
     PointTable::of_arrays(arrays, Rows::points(), named)
 }
 
-/// Where the coordinates are among arrays of these names and shapes.
+/// Where the coordinates are among arrays of these names and shapes. One row of numbers is no array of positions unless it is named:
+/// it may hold all coordinates of each point on end.
 pub(super) fn place<'a>(
-    shapes: impl Iterator<Item = (&'a str, &'a [usize])>,
+    shapes: impl Iterator<Item = (&'a str, &'a [usize])> + Clone,
     named: &[String],
 ) -> Parsed<Option<Place>> {
     let numbers = |(name, shape): (&'a str, &[usize])| {
@@ -77,8 +78,15 @@ pub(super) fn place<'a>(
         };
         (without_unit(name), numbers)
     };
-    let arrays: Vec<(&str, usize)> = shapes.map(numbers).collect();
-    position::find(&arrays, named)
+    let arrays: Vec<(&str, usize)> = shapes.clone().map(numbers).collect();
+    let place = position::find(&arrays, named)?;
+    if let (Some(Place::Vector(at)), []) = (&place, named)
+        && let Some((name, shape @ [_])) = shapes.clone().nth(*at)
+    {
+        let problem = format!("`{name}` has the shape {shape:?} where [points, 1 to 3] is expected");
+        return Err(Problem::position(problem));
+    }
+    Ok(place)
 }
 
 /// The name of an array in an archive, `None` if the member is none.

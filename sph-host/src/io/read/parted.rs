@@ -6,7 +6,7 @@ use super::budget::Budget;
 use super::join::Joined;
 use super::xml::parse;
 use super::xml_arrays::attribute;
-use super::{bytes, refuse_special};
+use super::{beside, bytes, refuse_special};
 use crate::io::InputFile;
 use crate::io::error::{Parsed, Problem, shown};
 use crate::io::rows::Rows;
@@ -14,7 +14,7 @@ use crate::io::table::{Array, PointTable};
 use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
 use std::collections::HashSet;
-use std::path::{Component, Path, PathBuf};
+use std::path::{Path, PathBuf};
 
 /// Reads the pieces that a file names.
 pub(super) fn read(file: &InputFile) -> Parsed<PointTable> {
@@ -111,24 +111,8 @@ fn root(tag: &BytesStart<'_>) -> Result<(), String> {
     Err(format!("{found}, where `VTKFile` of type PUnstructuredGrid or PPolyData is expected"))
 }
 
-/// The path of a piece, which stays in the folder of the file: it is relative and has no `..`.
+/// The path of a piece.
 fn source(tag: &BytesStart<'_>) -> Result<PathBuf, String> {
     let source = attribute(tag, "Source")?.ok_or("a Piece without Source, the path of its file")?;
-    let mut path = PathBuf::new();
-    for component in Path::new(&*source).components() {
-        match component {
-            Component::Normal(name) => path.push(name),
-            Component::CurDir => {}
-            _ => {
-                let found = shown(source.as_bytes());
-                return Err(format!(
-                    "the piece {found} may be outside the folder of this file: a relative path without `..` is expected"
-                ));
-            }
-        }
-    }
-    if path.as_os_str().is_empty() {
-        return Err(format!("the piece {} where the path of a file is expected", shown(source.as_bytes())));
-    }
-    Ok(path)
+    beside(&source).map_err(|problem| format!("the piece {problem}"))
 }

@@ -117,7 +117,10 @@ pub(super) fn layout(bytes: &[u8]) -> Parsed<Layout<'_>> {
 }
 
 /// The attribute called `name`.
-pub(super) fn attribute<'a>(tag: &'a BytesStart<'_>, name: &str) -> Result<Option<Cow<'a, str>>, String> {
+pub(in crate::io) fn attribute<'a>(
+    tag: &'a BytesStart<'_>,
+    name: &str,
+) -> Result<Option<Cow<'a, str>>, String> {
     let attribute = tag.try_get_attribute(name).map_err(|error| format!("attribute {name}: {error}"))?;
     let value = attribute.map(|attribute| attribute.normalized_value(quick_xml::XmlVersion::Implicit1_0));
     value.transpose().map_err(|error| format!("attribute {name}: {error}"))
