@@ -3,6 +3,8 @@
 //! Source: tables 3-1 and 7-1 of the *Cortex-M4 Technical Reference Manual* (ARM DDI 0439, later ARM 100166), for zero wait states, and
 //! what its sections on load and store timings and on the floating-point unit say of instructions beside each other.
 //!
+//! The rows were not all compared with the manual: a bound that decides something is worth a look there.
+//!
 //! | instruction | at least | at most |
 //! |---|---|---|
 //! | on registers, products of any length | 1 | 1 |

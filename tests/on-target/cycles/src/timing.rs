@@ -3,6 +3,9 @@
 //! * Cortex-M0: table 3-1 of the *Cortex-M0 Technical Reference Manual* (ARM DDI 0432C, section 3.3).
 //! * Cortex-M0+: table 3-1 of the *Cortex-M0+ Technical Reference Manual* (ARM DDI 0484C, section 3.3).
 //!
+//! The table of the Cortex-M0 was compared with a copy of the manual. Of the Cortex-M0+, the rows of branches, BL and POP were not: they agree
+//! with rp2040js, but for the cycle of the link register that it leaves out.
+//!
 //! Both tables hold for zero wait states. N is the number of registers, the program counter and the link register included.
 //!
 //! | instruction | Cortex-M0 | Cortex-M0+ |
