@@ -7,25 +7,21 @@ pub(crate) struct Target {
     pub(crate) triple: &'static str,
     /// The machine's name, as QEMU and the firmware's build script know it.
     pub(crate) machine: &'static str,
-    /// Whether optimised for debugging everything still fits into its flash.
-    pub(crate) debug: bool,
 }
 
 /// The smallest first.
 pub(crate) const TARGETS: [Target; 5] = [M0, M3, M4F, M33, RV32];
 
 /// Cortex-M0 with 16 KiB of RAM, no floating point, no division.
-pub(crate) const M0: Target = Target { triple: "thumbv6m-none-eabi", machine: "microbit", debug: true };
+pub(crate) const M0: Target = Target { triple: "thumbv6m-none-eabi", machine: "microbit" };
 /// Cortex-M3.
-pub(crate) const M3: Target = Target { triple: "thumbv7m-none-eabi", machine: "lm3s6965evb", debug: false };
+pub(crate) const M3: Target = Target { triple: "thumbv7m-none-eabi", machine: "lm3s6965evb" };
 /// Cortex-M4 with single-precision floating point.
-pub(crate) const M4F: Target = Target { triple: "thumbv7em-none-eabihf", machine: "mps2-an386", debug: true };
+pub(crate) const M4F: Target = Target { triple: "thumbv7em-none-eabihf", machine: "mps2-an386" };
 /// Cortex-M33 with single-precision floating point.
-pub(crate) const M33: Target =
-    Target { triple: "thumbv8m.main-none-eabihf", machine: "mps2-an505", debug: false };
+pub(crate) const M33: Target = Target { triple: "thumbv8m.main-none-eabihf", machine: "mps2-an505" };
 /// RISC-V with multiplication, without floating point.
-pub(crate) const RV32: Target =
-    Target { triple: "riscv32imc-unknown-none-elf", machine: "virt", debug: true };
+pub(crate) const RV32: Target = Target { triple: "riscv32imc-unknown-none-elf", machine: "virt" };
 
 impl Target {
     /// The first letters of the triple: thumb or riscv.

@@ -172,7 +172,7 @@ impl Machine {
     /// Runs a program to its end, under `wrapper` on this computer; gives what it printed.
     pub(crate) fn run(&self, elf: &Path, wrapper: &[&str]) -> Result<Outcome> {
         if let Some((machine, _)) = self.qemu {
-            return qemu::run_printing(&Target { triple: self.triple, machine, debug: false }, elf);
+            return qemu::run_printing(&Target { triple: self.triple, machine }, elf);
         }
         let mut words = wrapper.iter().copied().chain(elf.to_str());
         let program = words.next().context("a program")?;
