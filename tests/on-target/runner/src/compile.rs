@@ -20,7 +20,7 @@ pub(crate) struct Firmware {
 
 /// Builds with the machine's memory map; `arguments` choose package, profile and features.
 pub(crate) fn build(target: &Target, arguments: &[&str]) -> Result<Vec<Firmware>> {
-    let mut command = Toolchain::find(target.triple)?.cargo("build", &[target.triple]);
+    let mut command = Toolchain::find(target.triple)?.cargo("build", &[target.triple])?;
     if !TARGETS.contains(target) {
         command.env("FLUISIM_MACHINE", target.machine);
     }
@@ -40,7 +40,7 @@ pub(crate) fn build_for(targets: &[Target], arguments: &[&str]) -> Result<Vec<(T
     let mut all = Vec::new();
     for group in targets.chunk_by(together) {
         let triples: Vec<_> = group.iter().map(|(target, _)| target.triple).collect();
-        let mut command = group[0].1.cargo("build", &triples);
+        let mut command = group[0].1.cargo("build", &triples)?;
         command.args(arguments);
         let built = run(command)?;
         for (target, _) in group {

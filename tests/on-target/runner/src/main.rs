@@ -14,6 +14,7 @@ mod node;
 mod panics;
 mod qemu;
 mod suites;
+mod sysroot;
 mod table;
 mod target;
 mod toolchain;

@@ -1,5 +1,6 @@
 //! Finds a compiler for a bare-metal target: one that has the target installed, else one that can build `core` itself.
 
+use crate::sysroot;
 use anyhow::{Result, bail};
 use std::path::Path;
 use std::process::{Command, Stdio};
@@ -49,21 +50,27 @@ impl Toolchain {
     }
 
     /// A cargo command for some targets.
-    pub(crate) fn cargo(&self, subcommand: &str, triples: &[&str]) -> Command {
-        let mut command = Command::new(&self.cargo);
-        command.arg(subcommand).env("RUSTC", &self.rustc);
-        if self.build_core {
-            command.arg("-Zbuild-std=core").env("RUSTC_BOOTSTRAP", "1");
-        }
+    pub(crate) fn cargo(&self, subcommand: &str, triples: &[&str]) -> Result<Command> {
+        let mut command = self.command(subcommand);
         for triple in triples {
             command.args(["--target", triple]);
-            if self.build_core {
+        }
+        if self.build_core {
+            command.env_remove("RUSTFLAGS"); // it would hide those of a target
+            let sysroot = sysroot::with_core(self.command("build"), &self.version(), triples)?;
+            for triple in triples {
+                let of_target = format!("CARGO_TARGET_{}", triple.to_uppercase().replace(['-', '.'], "_"));
                 let linker = if triple.starts_with("wasm32") { "wasm-ld" } else { "ld.lld" };
-                let variable =
-                    format!("CARGO_TARGET_{}_LINKER", triple.to_uppercase().replace(['-', '.'], "_"));
-                command.env(variable, linker);
+                command.env(format!("{of_target}_LINKER"), linker);
+                command.env(format!("{of_target}_RUSTFLAGS"), format!("--sysroot={}", sysroot.display()));
             }
         }
+        Ok(command)
+    }
+
+    fn command(&self, subcommand: &str) -> Command {
+        let mut command = Command::new(&self.cargo);
+        command.arg(subcommand).env("RUSTC", &self.rustc);
         command
     }
 }

@@ -52,7 +52,7 @@ pub(crate) fn check() -> Result<bool> {
 
 /// Builds the archive for WebAssembly and links what the page calls.
 fn link(module: &Path) -> Result<()> {
-    let mut cargo = Toolchain::find(WASM)?.cargo("rustc", &[WASM]);
+    let mut cargo = Toolchain::find(WASM)?.cargo("rustc", &[WASM])?;
     cargo.args(["--manifest-path", "../../Cargo.toml", "-p", "fluisim-web", "--features", "archive"]);
     cargo.args(["--profile", "fast", "--crate-type", "staticlib", "--target-dir"]).arg(target_dir());
     let built = compile::run(cargo)?;

@@ -28,7 +28,7 @@ pub(crate) struct Archive {
 /// Builds the archive for a target, takes `compiler_builtins` and what is for debuggers out of it, and looks at its symbols.
 pub(crate) fn build(triple: &str) -> Result<Archive> {
     let target_dir = target_dir();
-    let mut cargo = Toolchain::find(triple)?.cargo("rustc", &[triple]);
+    let mut cargo = Toolchain::find(triple)?.cargo("rustc", &[triple])?;
     cargo.args(["--manifest-path", "../../Cargo.toml", "-p", "fluisim-c", "--features", "archive"]);
     cargo.args(["--profile", "fast", "--crate-type", "staticlib", "--target-dir"]).arg(&target_dir);
     let built = compile::run(cargo)?;
