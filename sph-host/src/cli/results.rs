@@ -34,8 +34,9 @@ pub(super) struct Results {
     part: Option<Part>,
     /// What is written of a result, if not all of it.
     surface: Option<SurfaceWords>,
-    /// The place in the name where the number of a moment stands, and its digits; none where there is one result.
+    /// The place in the name where the number of a moment stands, and its digits; none where there is no such place.
     number: Option<Number>,
+    is_series: bool,
 }
 
 /// A `%04d` in a name.
@@ -56,13 +57,21 @@ impl Results {
         is_series: bool,
     ) -> Result<Self, Failure> {
         let out = out.filter(|path| path != Path::new("/dev/stdout"));
-        let number = out.as_deref().filter(|_| is_series).and_then(number);
+        let number = out.as_deref().and_then(number);
+        let is_left = |Number { end, .. }: Number| {
+            out.as_deref().and_then(Path::to_str).and_then(|name| number_in(&name[end..])).is_some()
+        };
+        if number.is_some_and(is_left) {
+            return Err(Failure::usage(
+                "--out has two places for a number: one is expected, such as out_%04d.vti",
+            ));
+        }
         if is_series && number.is_none() {
             return Err(Failure::usage(
                 "several files of particles have a result each: --out needs a name with a number in it, such as out_%04d.vti",
             ));
         }
-        Ok(Self { out, force, part, surface, number })
+        Ok(Self { out, force, part, surface, number, is_series })
     }
 
     /// The file of this process for the result with this number.
@@ -88,6 +97,9 @@ impl Results {
 
     /// The file that names all moments: that of the results without the number.
     fn collection(&self) -> Option<PathBuf> {
+        if !self.is_series {
+            return None;
+        }
         let (out, Number { start, end, .. }) = (self.out.as_ref()?, self.number?);
         if self.part.is_some_and(|part| part.number() > 1) {
             return None;
@@ -157,10 +169,15 @@ impl Results {
 fn number(path: &Path) -> Option<Number> {
     let name = path.to_str()?;
     let folder = name.len() - path.file_name()?.len();
-    let start = folder + name[folder..].find('%')?;
-    let digits: String = name[start + 1..].chars().take_while(char::is_ascii_digit).collect();
+    let Number { start, end, digits } = number_in(&name[folder..])?;
+    Some(Number { start: folder + start, end: folder + end, digits })
+}
+
+fn number_in(text: &str) -> Option<Number> {
+    let start = text.find('%')?;
+    let digits: String = text[start + 1..].chars().take_while(char::is_ascii_digit).collect();
     let end = start + 1 + digits.len();
-    let is_number = name[end..].starts_with('d') && (digits.is_empty() || digits.starts_with('0'));
+    let is_number = text[end..].starts_with('d') && (digits.is_empty() || digits.starts_with('0'));
     let digits = if digits.is_empty() { 1 } else { digits.parse().ok().filter(|&digits| digits <= 9)? };
     is_number.then_some(Number { start, end: end + 1, digits })
 }
@@ -183,9 +200,13 @@ mod tests {
             assert_eq!(results.whole(3).as_deref(), Some(Path::new(first)));
             assert_eq!(results.collection().as_deref(), all.map(Path::new), "{name}");
         }
-        for wrong in ["out.vti", "out_%.vti", "out_%4d.vti", "out_%0x.vti", "%04d/out.vti"] {
+        for wrong in ["o_%d_%03d.vti", "out.vti", "out_%.vti", "out_%4d.vti", "out_%0x.vti", "%04d/out.vti"] {
             assert!(results(wrong).is_err(), "{wrong}");
         }
+        let alone = Results::new(Some("o_%04d.vti".into()), false, None, None, false);
+        let alone = alone.unwrap_or_else(|_| panic!());
+        assert_eq!(alone.whole(0).as_deref(), Some(Path::new("o_0000.vti")));
+        assert_eq!(alone.collection(), None);
         let part = Part::new(1, 4).unwrap();
         let results =
             Results::new(Some("o_%d.vti".into()), false, Some(part), None, true).unwrap_or_else(|_| panic!());

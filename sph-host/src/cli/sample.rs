@@ -20,8 +20,9 @@ use crate::estimate_choice::Estimate;
 use crate::io;
 use crate::kernel_choice::KernelName;
 use crate::output::{self, Content};
+use crate::parallel;
 use crate::part::Part;
-use crate::sample::{self, PartOfPoints, ParticleSource, Request, SamplePoints, Sampled, Taken};
+use crate::sample::{self, PartOfPoints, ParticleSource, Request, SampleError, SamplePoints, Sampled, Taken};
 use crate::scalar_choice::ScalarName;
 
 /// Evaluate the fields of a particle set at points, on a grid, or at the particles themselves.
@@ -165,10 +166,12 @@ pub(super) fn run(mut args: SampleArgs) -> Result<(), Failure> {
     if let Some(request) = requests.first() {
         results.check(requests.len(), &request.at, content(request))?;
     }
+    let threads = requests.first().and_then(|request| request.threads);
+    let writers = parallel::pool(threads, || ()).map_err(|problem| explain(SampleError::Threads(problem)))?;
     for (number, request) in requests.iter().enumerate() {
         let sampled = sample_one(request, &args)?;
         let start = Instant::now();
-        results.write(number, &sampled.table)?;
+        writers.install(|| results.write(number, &sampled.table))?;
         if args.timing {
             say(&format!("timing: {}", timing_line(&sampled, start.elapsed().as_secs_f64())));
         }

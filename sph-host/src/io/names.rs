@@ -12,6 +12,10 @@ pub(super) const MASS: [&str; 2] = ["m", "mass"];
 /// The two names of the density.
 pub(super) const DENSITY: [&str; 2] = ["rho", "density"];
 
+/// What snapshots of Gadget, SWIFT and AREPO call masses and densities, and the special names of these.
+pub(super) const OF_SNAPSHOTS: [(&str, [&str; 2]); 3] =
+    [("Masses", MASS), ("Density", DENSITY), ("Densities", DENSITY)];
+
 /// What stands between the name of a vector and that of its component: `pos_x`, `Points:0`, `Pos.x`.
 pub(super) const SEPARATORS: [char; 3] = ['_', ':', '.'];
 

@@ -38,7 +38,31 @@ impl Place {
 /// Coordinates with the name that messages call each axis by.
 pub(super) struct Coordinates {
     pub(super) names: Vec<String>,
+    /// The axis in space of each.
+    pub(super) space: Vec<usize>,
     pub(super) values: Vec<Vec<f64>>,
+}
+
+impl Coordinates {
+    /// Those of an array of vectors, by its name and its 1 to 3 components.
+    pub(super) fn of_vector(name: &str, values: Vec<Vec<f64>>) -> Self {
+        let names = match values.len() {
+            1 => vec![name.to_owned()],
+            components => AXES[..components].iter().map(|axis| format!("{name}_{axis}")).collect(),
+        };
+        Self { names, space: (0..values.len()).collect(), values }
+    }
+
+    /// What a person should know where an axis before another is missing, for it may have been called something else.
+    pub(super) fn gap(&self) -> Option<String> {
+        let last = self.space.last()?;
+        let missing: Vec<&str> =
+            (0..*last).filter(|axis| !self.space.contains(axis)).map(|axis| AXES[axis]).collect();
+        let names: Vec<String> = self.names.iter().map(|name| format!("`{name}`")).collect();
+        (!missing.is_empty()).then(|| {
+            format!("the coordinates are {} alone, without {}", names.join(" and "), missing.join(" and "))
+        })
+    }
 }
 
 /// Finds the coordinates among arrays, each a name and how many numbers a point has: by the names that `named` has, or by the
@@ -133,10 +157,22 @@ fn usual(arrays: &[(&str, usize)]) -> Parsed<Option<Place>> {
     }
 }
 
-/// The columns `x`, `y`, `z`, as many as there are without a gap.
+/// The columns `x`, `y`, `z`, as many as there are without a gap. A plane may have two others where they stand first: of what stands before
+/// or between, one could be the third by another name.
 fn plain(arrays: &[(&str, usize)]) -> Option<Place> {
     let found = AXES.map(|axis| arrays.iter().position(|(name, _)| name.eq_ignore_ascii_case(axis)));
-    without_gap(found)
+    let all: Vec<usize> = found.into_iter().flatten().collect();
+    if all == [0, 1] { Some(Place::Columns(all)) } else { without_gap(found) }
+}
+
+/// The axis in space of each column: what the names say, where these are of axes in order; else the first ones.
+fn space(names: &[String]) -> Vec<usize> {
+    let axis = |name: &String| {
+        let plain = AXES.iter().position(|axis| name.eq_ignore_ascii_case(axis));
+        plain.or_else(|| component(name).map(|(_, _, axis)| axis))
+    };
+    let said: Option<Vec<usize>> = names.iter().map(axis).collect();
+    said.filter(|axes| axes.is_sorted_by(|a, b| a < b)).unwrap_or_else(|| (0..names.len()).collect())
 }
 
 /// The columns of the components of a vector, in one spelling, as many as there are without a gap.
@@ -197,18 +233,14 @@ pub(super) fn take(arrays: &mut Vec<Array>, place: &Place, rows: &Rows) -> Parse
         Place::Vector(at) => {
             let Array { name, components, values, .. } = &arrays[*at];
             let axis = |axis: usize| values.iter().skip(axis).step_by(*components).copied().collect();
-            let names = match components {
-                1 => vec![name.clone()],
-                _ => AXES[..*components].iter().map(|axis| format!("{name}_{axis}")).collect(),
-            };
-            Coordinates { names, values: (0..*components).map(axis).collect() }
+            Coordinates::of_vector(name, (0..*components).map(axis).collect())
         }
         Place::Columns(columns) => {
-            let (names, values) = columns
+            let (names, values): (Vec<String>, _) = columns
                 .iter()
                 .map(|&at| (arrays[at].name.clone(), std::mem::take(&mut arrays[at].values)))
                 .unzip();
-            Coordinates { names, values }
+            Coordinates { space: space(&names), names, values }
         }
     };
     let mut number = 0;
@@ -249,7 +281,11 @@ mod tests {
         }
         assert_eq!(found(&[("m", 1), ("velocity_x", 1)], &[]), Ok(None));
         assert_eq!(found(&[("x", 1), ("pos", 9), ("pos_y", 1), ("Points_1", 1)], &[]), Ok(Some(vec![0])));
-        assert!(found(&[("z", 1), ("x", 1)], &[]).unwrap_err().contains("`z` but no `y`"));
+        assert_eq!(found(&[("x", 1), ("z", 1), ("m", 1)], &[]), Ok(Some(vec![0, 1])));
+        for between in [[("x", 1), ("b", 1), ("z", 1)], [("b", 1), ("x", 1), ("z", 1)]] {
+            assert!(found(&between, &[]).unwrap_err().contains("`z` but no `y`"));
+        }
+        assert!(found(&[("z", 1), ("m", 1)], &[]).unwrap_err().contains("`z` but no `x`"));
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! Asking a [`PointTable`] for what it holds, by name.
 
 use super::error::{Parsed, Problem, ReadError};
-use super::names::{AXES, DENSITY, MASS, Spelling, is_axis, is_special, without_unit};
+use super::names::{AXES, DENSITY, MASS, OF_SNAPSHOTS, Spelling, is_axis, is_special, without_unit};
 use super::table::{Array, PointTable};
 use std::borrow::Cow;
 
@@ -72,7 +72,8 @@ impl PointTable {
     pub(crate) fn column(&self, name: &str) -> Result<Cow<'_, [f64]>, ReadError> {
         let axis = self.axes.iter().position(|axis| axis.eq_ignore_ascii_case(name)).or_else(|| {
             let axis = AXES.iter().position(|axis| axis.eq_ignore_ascii_case(name))?;
-            (axis < self.dimensions() && self.array(name).is_none()).then_some(axis)
+            let own = self.space.iter().position(|&known| known == axis)?;
+            self.array(name).is_none().then_some(own)
         });
         match axis {
             Some(axis) => Ok(Cow::Borrowed(&self.coordinates[axis])),
@@ -245,6 +246,10 @@ impl PointTable {
 
 /// The other name of a mass or density.
 fn other_name(name: &str) -> Option<&'static str> {
+    let renamed = OF_SNAPSHOTS.iter().find(|(own, _)| name.eq_ignore_ascii_case(own));
+    if let Some((_, [_, long])) = renamed.filter(|(own, [_, long])| !own.eq_ignore_ascii_case(long)) {
+        return Some(long);
+    }
     [MASS, DENSITY].into_iter().find_map(|[short, long]| {
         if name.eq_ignore_ascii_case(short) {
             Some(long)

@@ -12,6 +12,8 @@ pub struct PointTable {
     pub source: String,
     /// The coordinates: one vector an axis, all of the same length, not yet checked to be finite.
     pub coordinates: Vec<Vec<f64>>,
+    /// The axis in space of each coordinate, ascending: `[0, 2]` where the file has x and z alone.
+    pub space: Vec<usize>,
     /// All other arrays of the points, in the file's order.
     pub arrays: Vec<Array>,
     /// What a person should know of the file, a line each: the units that it names, which are not applied.
@@ -141,7 +143,11 @@ impl PointTable {
     /// As [`new`](Self::new), before the source is known, and without the units behind names.
     pub(super) fn assemble(coordinates: Vec<Vec<f64>>, arrays: Vec<Array>, rows: Rows) -> Parsed<Self> {
         let names = AXES.iter().take(coordinates.len()).map(|&axis| axis.to_owned()).collect();
-        Self::without_coordinates(arrays, rows).at(Coordinates { names, values: coordinates })
+        Self::without_coordinates(arrays, rows).at(Coordinates {
+            space: (0..coordinates.len()).collect(),
+            names,
+            values: coordinates,
+        })
     }
 
     /// A table of arrays of which some are the coordinates: those that `named` names, or those of usual names.
@@ -149,11 +155,18 @@ impl PointTable {
         Self::without_coordinates(arrays, rows).placed(named)
     }
 
+    /// A table of arrays beside coordinates that were an array of the same file.
+    pub(super) fn beside(coordinates: Coordinates, arrays: Vec<Array>, rows: Rows) -> Parsed<Self> {
+        let table = Self { is_placed: true, ..Self::without_coordinates(arrays, rows) };
+        table.at(coordinates)
+    }
+
     /// A table that is not whole yet: the units behind names are dropped.
     fn without_coordinates(mut arrays: Vec<Array>, rows: Rows) -> Self {
         drop_units(&mut arrays);
-        let (source, coordinates, notes, axes) = (String::new(), Vec::new(), Vec::new(), Vec::new());
-        Self { source, coordinates, arrays, notes, axes, rows, is_placed: false }
+        let (source, coordinates, space) = (String::new(), Vec::new(), Vec::new());
+        let (notes, axes) = (Vec::new(), Vec::new());
+        Self { source, coordinates, space, arrays, notes, axes, rows, is_placed: false }
     }
 
     /// The table with the coordinates that are among its arrays, in place of those that it has.
@@ -179,15 +192,16 @@ impl PointTable {
         let place = place.map_err(located)?;
         let coordinates = position::take(&mut self.arrays, &place, &self.rows).map_err(located)?;
         self.is_placed = true;
+        self.notes.extend(coordinates.gap().filter(|_| named.is_empty()));
         self.at(coordinates)
     }
 
     /// The table with these coordinates, if all is as it must be.
-    fn at(self, Coordinates { names, values }: Coordinates) -> Parsed<Self> {
+    fn at(self, Coordinates { names, space, values }: Coordinates) -> Parsed<Self> {
         if !(1..=3).contains(&values.len()) {
             return Err(Problem::new(format!("1 to 3 dimensions expected, not {}", values.len())));
         }
-        let table = Self { coordinates: values, axes: names, ..self };
+        let table = Self { coordinates: values, space, axes: names, ..self };
         let points = table.len();
         if let Some(axis) = table.coordinates.iter().position(|axis| axis.len() != points) {
             let (first, name, length) = (&table.axes[0], &table.axes[axis], table.coordinates[axis].len());

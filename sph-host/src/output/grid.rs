@@ -14,6 +14,8 @@ pub struct Grid {
     upper: Vec<f64>,
     /// The axes in space that the grid's axes are.
     axes: Vec<usize>,
+    /// Where the grid lies along the other axes in space.
+    beside: [f64; 3],
     /// Where the grid is some layers of a whole one, along the last axis: the first of these, and how many the whole has.
     layers: Option<Layers>,
 }
@@ -89,21 +91,28 @@ impl Grid {
             return Err(GridError::TooMany { counts: counts.to_vec() });
         }
         let axes = (0..counts.len()).collect();
-        Ok(Self { counts: counts.to_vec(), lower: lower.to_vec(), upper: upper.to_vec(), axes, layers: None })
+        let (counts, lower, upper) = (counts.to_vec(), lower.to_vec(), upper.to_vec());
+        Ok(Self { counts, lower, upper, axes, beside: [0.0; 3], layers: None })
     }
 
-    /// The same grid along other axes in space: `[0, 2]` for a plane of x and z. Anything but as many axes as the grid has, ascending
-    /// and below 3, changes nothing.
+    /// The same grid along other axes in space, `[0, 2]` for a plane of x and z, and where it lies along the rest: of `beside` only
+    /// those count. Anything but as many axes as the grid has, ascending and below 3, changes nothing.
     #[must_use]
-    pub fn along(self, axes: &[usize]) -> Self {
+    pub fn along(self, axes: &[usize], beside: [f64; 3]) -> Self {
         let can_be = axes.len() == self.axes.len() && axes.is_sorted() && axes.iter().all(|&axis| axis < 3);
-        if can_be { Self { axes: axes.to_vec(), ..self } } else { self }
+        if can_be { Self { axes: axes.to_vec(), beside, ..self } } else { self }
     }
 
     /// The axes in space that the grid's axes are: 0 is x.
     #[must_use]
     pub fn axes(&self) -> &[usize] {
         &self.axes
+    }
+
+    /// Where the grid lies along axes in space that it lacks; of use along those alone.
+    #[must_use]
+    pub fn beside(&self) -> [f64; 3] {
+        self.beside
     }
 
     /// The name of one of the grid's axes.

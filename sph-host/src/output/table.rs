@@ -122,10 +122,10 @@ impl Table {
         self.coordinates.iter().chain(&self.columns)
     }
 
-    /// The points with three coordinates each; those that the table lacks are zero.
+    /// The points with three coordinates each; those that the table lacks are where its grid lies, or zero.
     pub fn positions(&self) -> impl Iterator<Item = [f64; 3]> {
         (0..self.points()).map(|point| {
-            let mut position = [0.0; 3];
+            let mut position = self.grid.as_ref().map_or([0.0; 3], Grid::beside);
             for (place, column) in self.coordinates.iter().take(3).enumerate() {
                 let axis = if let Role::Coordinate(axis) = column.role { axis.min(2) } else { place };
                 position[axis] = column.values[point];

@@ -90,9 +90,9 @@ pub(super) struct ImageGeometry {
 }
 
 impl ImageGeometry {
-    /// The geometry of a grid; axes that it lacks are one point at zero.
+    /// The geometry of a grid; along axes that it lacks it is one point.
     pub(super) fn of(grid: &Grid) -> Self {
-        let mut image = Self { counts: [1; 3], origin: [0.0; 3], spacing: [1.0; 3] };
+        let mut image = Self { counts: [1; 3], origin: grid.beside(), spacing: [1.0; 3] };
         for (axis, &count) in grid.counts().iter().enumerate() {
             let place = grid.axes()[axis];
             image.counts[place] = count;

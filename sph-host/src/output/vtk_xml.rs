@@ -12,12 +12,17 @@ use flate2::Compression;
 use flate2::write::ZlibEncoder;
 use quick_xml::escape::escape;
 
+use crate::parallel;
+
 use super::parallel::extent;
 use super::vtk_legacy::{ImageGeometry, joined};
 use super::{Column, Grid, Precision, Table};
 
 /// Bytes of an array that are compressed together.
 const BLOCK: usize = 1 << 18;
+
+/// Blocks that are compressed at once, by all threads.
+const AT_ONCE: usize = 64;
 
 /// A grid as image data whose points are the cell centres.
 pub(super) fn write_image(table: &Table, grid: &Grid, writer: &mut impl Write) -> io::Result<()> {
@@ -89,21 +94,31 @@ fn write_array(writer: &mut impl Write, attributes: &str, bytes: impl Iterator<I
     let mut compressed = Vec::new();
     let mut bytes = bytes.peekable();
     while bytes.peek().is_some() {
-        let block: Vec<u8> = bytes.by_ref().take(BLOCK).collect();
-        let before = compressed.len();
-        let mut encoder = ZlibEncoder::new(&mut compressed, Compression::default());
-        encoder.write_all(&block)?;
-        encoder.finish()?;
-        header[0] += 1;
-        header[1] = BLOCK as u64;
-        header[2] = (block.len() % BLOCK) as u64;
-        header.push((compressed.len() - before) as u64);
+        let blocks = (0..AT_ONCE).map_while(|_| {
+            let block: Vec<u8> = bytes.by_ref().take(BLOCK).collect();
+            (!block.is_empty()).then_some(block)
+        });
+        for packed in parallel::map(blocks, |_, block| packed(&block)) {
+            let (size, packed) = packed?;
+            header[0] += 1;
+            header[1] = BLOCK as u64;
+            header[2] = (size % BLOCK) as u64;
+            header.push(packed.len() as u64);
+            compressed.extend(packed);
+        }
     }
     let header: Vec<u8> = header.into_iter().flat_map(u64::to_le_bytes).collect();
     writeln!(writer, r#"<DataArray {attributes} format="binary">"#)?;
     writer.write_all(STANDARD.encode(header).as_bytes())?;
     writer.write_all(STANDARD.encode(compressed).as_bytes())?;
     writeln!(writer, "\n</DataArray>")
+}
+
+/// The size of a block, and the block compressed.
+fn packed(block: &[u8]) -> io::Result<(usize, Vec<u8>)> {
+    let mut encoder = ZlibEncoder::new(Vec::new(), Compression::default());
+    encoder.write_all(block)?;
+    Ok((block.len(), encoder.finish()?))
 }
 
 /// Cells of one kind over the table's points.

@@ -18,7 +18,7 @@ pub(super) struct Checked {
     pub(super) particles: Set,
     /// What all particles span, their images among them.
     pub(super) span: Span,
-    /// The axes that sums run over.
+    /// The coordinates that sums run over.
     pub(super) axes: Vec<usize>,
     pub(super) points: Points,
     /// How many particles there are, without images, of how many in the file.
@@ -36,7 +36,7 @@ pub(super) fn check(tables: Tables, request: &Request) -> Result<Checked, Sample
     match tables.particles {
         Input::Whole(read, taken, own_support) => {
             table::check_coordinates(&read)?;
-            let axes = planes::axes_of(&read, request.dim)?;
+            let axes = planes::summed_of(&read, request.dim)?;
             let mut particles = table::particles(read, own_support, request)?;
             let mut span = Span::of(&particles);
             let mut points = points::points(request, tables.points, Some(&particles), &span, &axes)?;

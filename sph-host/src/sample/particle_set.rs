@@ -37,7 +37,7 @@ impl ParticleSet {
             }
         };
         table::check_coordinates(&table)?;
-        let axes = planes::axes_of(&table, request.dim)?;
+        let axes = planes::summed_of(&table, request.dim)?;
         let mut particles = table::particles(table, own_support, request)?;
         let coordinates =
             axes.into_iter().map(|axis| std::mem::take(&mut particles.coordinates[axis])).collect();

@@ -25,6 +25,8 @@ pub(super) struct Values {
 pub(super) struct Particles {
     /// The file or set, for messages.
     pub(super) file: String,
+    /// The axis in space of each coordinate: 0 is x.
+    pub(super) space: Vec<usize>,
     /// All coordinates as read, axis by axis.
     pub(super) coordinates: Vec<Vec<f64>>,
     /// m_i; none: weights without mass.
@@ -47,6 +49,7 @@ impl Particles {
     pub(super) fn taken(self, numbers: &[usize], coordinates: Vec<Vec<f64>>) -> Self {
         let take = |values: &Vec<f64>| numbers.iter().map(|&number| values[number]).collect::<Vec<f64>>();
         Self {
+            space: self.space,
             coordinates,
             masses: self.masses.as_ref().map(take),
             densities: self.densities.as_ref().map(take),

@@ -23,6 +23,8 @@ struct Side {
 pub(super) struct PeriodicBox {
     /// Of each coordinate of the file; none: open.
     sides: Vec<Option<Side>>,
+    /// The axis in space of each.
+    space: Vec<usize>,
     /// How far beyond the box there are images.
     reach: f64,
 }
@@ -74,19 +76,20 @@ impl PeriodicBox {
         if images > MOST_IMAGES {
             return Err(SampleError::PeriodicTooSmall { file: span.file.clone(), support, images });
         }
-        Ok(Some(Self { sides, reach }))
+        Ok(Some(Self { sides, space: span.space.clone(), reach }))
     }
 
-    /// The numbers in the box that are the same as these along an axis.
+    /// The numbers in the box that are the same as these along an axis in space.
     pub(super) fn wrap(&self, axis: usize, along: &mut [f64]) {
-        if let Some(Some(side)) = self.sides.get(axis) {
+        let own = self.space.iter().position(|&known| known == axis);
+        if let Some(Some(side)) = own.and_then(|own| self.sides.get(own)) {
             along.iter_mut().for_each(|x| *x = side.wrapped(*x));
         }
     }
 
     /// The particles in the box, each followed by its images.
     pub(super) fn with_images(&self, mut particles: Particles) -> Particles {
-        particles.coordinates.iter_mut().enumerate().for_each(|(axis, along)| self.wrap(axis, along));
+        particles.coordinates.iter_mut().zip(&self.space).for_each(|(along, &axis)| self.wrap(axis, along));
         let mut places: Vec<Vec<f64>> = vec![Vec::new(); particles.coordinates.len()];
         let mut origins: Vec<usize> = Vec::new();
         for particle in 0..particles.len() {

@@ -31,8 +31,10 @@ pub(super) struct Plan<'a> {
     pub(super) span: Span,
     /// How many particles there are, without images.
     pub(super) particles: usize,
-    /// The axes in space that sums run over.
+    /// The coordinates that sums run over, by their numbers among those of the file.
     pub(super) axes: Vec<usize>,
+    /// The axes in space of these: 0 is x.
+    pub(super) space: Vec<usize>,
     pub(super) units: Units,
     pub(super) columns: Vec<OutputColumn>,
     pub(super) precision: Precision,
@@ -48,11 +50,12 @@ impl<'a> Plan<'a> {
         points: &Points,
     ) -> Result<Self, SampleError> {
         let units = with_scalar!(request.scalar, T => Units::of::<T>(&span, &axes));
-        let columns = columns(&span, &axes, &units, request.gradient);
+        let space = span.in_space(&axes);
+        let columns = columns(&span, &space, &units, request.gradient);
         require_one_name_each(&span, points, &columns)?;
         require_surface_column(request, &span, points, &columns)?;
         let precision = if request.scalar == ScalarName::F32 { Precision::F32 } else { Precision::F64 };
-        Ok(Self { request, span, particles, axes, units, columns, precision })
+        Ok(Self { request, span, particles, axes, space, units, columns, precision })
     }
 
     /// Writes what was found at a point into a row of the columns; returns how many values are outside the range of the scalar.
@@ -71,7 +74,7 @@ impl<'a> Plan<'a> {
             let Some((value, gradient)) = local else { continue };
             let number = match column.role {
                 Role::Gradient { axis, .. } => {
-                    self.axes.iter().position(|&known| known == axis).map_or(value, |k| gradient[k])
+                    self.space.iter().position(|&known| known == axis).map_or(value, |k| gradient[k])
                 }
                 _ => value,
             };
@@ -121,7 +124,10 @@ impl<'a> Plan<'a> {
     fn flat(&self) -> Option<Warning> {
         let constant = planes::constant(&self.span.coordinates);
         let is_flat = self.request.dim.is_none() && self.axes.len() == 3 && (1..3).contains(&constant.len());
-        let constant = constant.iter().map(|&axis| (AXES[axis], self.span.coordinates[axis].0)).collect();
+        let constant = constant
+            .iter()
+            .map(|&axis| (AXES[self.span.space[axis]], self.span.coordinates[axis].0))
+            .collect();
         is_flat.then(|| Warning::Flat { file: self.span.file.clone(), constant })
     }
 

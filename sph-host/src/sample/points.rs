@@ -110,22 +110,22 @@ fn all_points(
     span: &Span,
     axes: &[usize],
 ) -> Result<Points, SampleError> {
-    let of_columns = |columns: Vec<Vec<f64>>, are_particles| {
-        let coordinates = columns.into_iter().enumerate().collect();
+    let of_columns = |space: &[usize], columns: Vec<Vec<f64>>, are_particles| {
+        let coordinates = space.iter().copied().zip(columns).collect();
         Points { coordinates, in_box: None, grid: None, are_particles }
     };
     match (&request.at, table, particles) {
         (SamplePoints::Grid { counts, bounds }, ..) => grid(counts, bounds.as_deref(), span, axes),
         (_, Some(table), _) => {
-            check_axes(&table, request.dim, span, axes)?;
-            Ok(of_columns(table.coordinates, false))
+            check_axes(&table, request.dim, span, &span.in_space(axes))?;
+            Ok(of_columns(&table.space, table.coordinates, false))
         }
-        (_, None, Some(particles)) => Ok(of_columns(particles.coordinates.clone(), true)),
+        (_, None, Some(particles)) => Ok(of_columns(&particles.space, particles.coordinates.clone(), true)),
         (_, None, None) => Err(SampleError::PiecesAsPoints { file: span.file.clone() }),
     }
 }
 
-/// That a table of points has the axes that sums run over, and is flat along others.
+/// That a table of points has the axes in space that sums run over, and is flat along others.
 fn check_axes(
     table: &PointTable,
     dim: Option<usize>,
@@ -136,18 +136,29 @@ fn check_axes(
     if table.is_empty() {
         return Ok(());
     }
-    let own: Vec<usize> = (0..table.dimensions()).collect();
+    let own = &table.space;
     let has_all = axes.iter().all(|axis| own.contains(axis));
     if !has_all || (own.len() > axes.len() && dim.is_none()) {
         let names = |axes: &[usize]| axes.iter().map(|&axis| AXES[axis]).collect::<Vec<_>>().join(", ");
         return Err(SampleError::PointCoordinates {
             file: table.source.clone(),
-            own: format!("{} ({})", names(&own), own.len()),
+            own: format!("{} ({})", names(own), own.len()),
             particles: span.file.clone(),
             theirs: format!("{} ({})", names(axes), axes.len()),
         });
     }
     planes::flat_beyond(table, axes)
+}
+
+/// Where a plane or a line of particles lies along the axes that sums do not run over; 0 along those that the file has not.
+fn beside(span: &Span, axes: &[usize]) -> [f64; 3] {
+    let mut place = [0.0; 3];
+    for (number, (&axis, bounds)) in span.space.iter().zip(&span.coordinates).enumerate() {
+        if !axes.contains(&number) {
+            place[axis] = bounds.0;
+        }
+    }
+    place
 }
 
 fn grid(
@@ -167,6 +178,6 @@ fn grid(
     let is_particles_box = bounds.is_none();
     let grid = Grid::new(counts, &lower, &upper)
         .map_err(|error| SampleError::Grid { file: file(), error, is_particles_box })?
-        .along(axes);
+        .along(&span.in_space(axes), beside(span, axes));
     Ok(Points::of_grid(grid))
 }

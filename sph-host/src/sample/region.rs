@@ -26,7 +26,7 @@ impl Region {
     pub(super) fn of(request: &Request, points: &Points, span: &Span, axes: &[usize]) -> Option<Self> {
         request.part.filter(|_| points.len() > 0)?;
         let side = |&axis: &usize| {
-            let ((lower, upper), reach) = (bounds(points.along(axis)), reach(span, axis));
+            let ((lower, upper), reach) = (bounds(points.along(span.space[axis])), reach(span, axis));
             (axis, (lower - reach, upper + reach))
         };
         Some(Self { sides: axes.iter().map(side).collect() })

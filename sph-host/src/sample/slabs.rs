@@ -23,7 +23,8 @@ use super::span::Span;
 
 /// Particles in a temporary file, slab by slab.
 pub(super) struct Slabs {
-    /// The axis in space that slabs lie across.
+    /// The coordinate that slabs lie across, and its axis in space.
+    across: usize,
     axis: usize,
     /// Where one slab ends and the next begins, ascending.
     cuts: Vec<f64>,
@@ -45,12 +46,12 @@ impl Slabs {
         let FirstReading { span, axes, .. } = first;
         let extent = |axis: usize| span.coordinates[axis].1 - span.coordinates[axis].0;
         let longest = axes.iter().copied().max_by(|&a, &b| extent(a).total_cmp(&extent(b)));
-        let axis = longest.unwrap_or(0);
-        let cuts = first.outline.cuts(axis, span.count.div_ceil(file.most.max(1)));
-        let reach = region::reach(span, axis);
+        let across = longest.unwrap_or(0);
+        let cuts = first.outline.cuts(across, span.count.div_ceil(file.most.max(1)));
+        let reach = region::reach(span, across);
         let spool = tempfile::tempfile().map_err(no_spool)?;
         let segments = vec![Vec::new(); cuts.len() + 1];
-        let mut slabs = Self { axis, cuts, reach, spool, segments };
+        let mut slabs = Self { across, axis: span.space[across], cuts, reach, spool, segments };
         let changed = || SampleError::Changed { file: span.file.clone() };
         let mut digest = 0;
         file.each(request, first.periodic.as_ref(), |particles| {
@@ -84,7 +85,7 @@ impl Slabs {
         let mut rows = vec![Vec::new(); self.segments.len()];
         let matters = |row: &usize| region.is_none_or(|region| region.holds(particles, *row));
         for row in (0..particles.len()).filter(matters) {
-            for slab in self.concerned(columns[self.axis][row]) {
+            for slab in self.concerned(columns[self.across][row]) {
                 for column in &columns {
                     rows[slab].extend(column[row].to_le_bytes());
                 }
@@ -145,7 +146,7 @@ impl FirstReading {
         let empty = || SampleError::NoParticles { file: file.file.name().to_owned() };
         let once = OneReading::new(file, request, None)?;
         let read = once.outline.span()?.ok_or_else(empty)?;
-        let axes = planes::axes(&read.file, &read.coordinates, request.dim)?;
+        let axes = planes::summed(&read, request.dim)?;
         let periodic = PeriodicBox::of(request, &read, &axes)?;
         let OneReading { outline, taken, columns, digest } = match &periodic {
             Some(periodic) => OneReading::new(file, request, Some(periodic))?,
@@ -212,6 +213,7 @@ fn from_columns(columns: Vec<Vec<f64>>, span: &Span) -> Particles {
     let mut next = || columns.next().unwrap_or_default();
     Particles {
         file: span.file.clone(),
+        space: span.space.clone(),
         coordinates: span.coordinates.iter().map(|_| next()).collect(),
         masses: span.masses.map(|_| next()),
         densities: span.densities.map(|_| next()),

@@ -21,7 +21,9 @@ pub(super) struct Span {
     /// The file or set, for messages.
     pub(super) file: String,
     pub(super) count: usize,
-    /// Axis by axis, as many as the file has.
+    /// The axis in space of each coordinate: 0 is x.
+    pub(super) space: Vec<usize>,
+    /// Coordinate by coordinate, as many as the file has.
     pub(super) coordinates: Vec<Bounds>,
     pub(super) masses: Option<Bounds>,
     pub(super) densities: Option<Bounds>,
@@ -43,6 +45,7 @@ impl Span {
         Self {
             file: particles.file.clone(),
             count: particles.len(),
+            space: particles.space.clone(),
             coordinates: particles.coordinates.iter().map(|axis| bounds(axis)).collect(),
             masses: particles.masses.as_deref().map(bounds),
             densities: particles.densities.as_deref().map(bounds),
@@ -72,6 +75,11 @@ impl Span {
         Ok(self)
     }
 
+    /// The axes in space of some coordinates.
+    pub(super) fn in_space(&self, axes: &[usize]) -> Vec<usize> {
+        axes.iter().map(|&axis| self.space[axis]).collect()
+    }
+
     /// That the extent along every axis is a number.
     pub(super) fn check(&self) -> Result<(), SampleError> {
         let infinite = |&(lower, upper): &Bounds| !(upper - lower).is_finite();
@@ -79,7 +87,7 @@ impl Span {
             None => Ok(()),
             Some(axis) => {
                 let (lower, upper) = self.coordinates[axis];
-                Err(SampleError::Extent { file: self.file.clone(), axis, lower, upper })
+                Err(SampleError::Extent { file: self.file.clone(), axis: self.space[axis], lower, upper })
             }
         }
     }

@@ -29,6 +29,7 @@ pub(super) fn particles(
         support: support(&table, request, own_support)?,
         quantities: quantities(&table, request)?,
         file: table.source,
+        space: table.space,
         coordinates: table.coordinates,
         masses,
         densities,

@@ -149,3 +149,20 @@ fn no_points_in_chunks_are_no_points_at_all() {
     let pieces = folder.succeed(&format!("{words} --chunk 2"));
     assert_eq!((pieces.stdout, pieces.stderr), (whole.stdout, whole.stderr));
 }
+
+#[test]
+fn no_byte_of_a_compressed_file_depends_on_threads() {
+    let folder = Folder::new();
+    let words = "sample demo:vortex --grid 300,300 --quantity velocity_x --out";
+    let written = |threads: usize| {
+        let name = format!("{threads}.vti");
+        folder.succeed(&format!("{words} {name} --threads {threads}"));
+        folder.bytes(&name)
+    };
+    let one = written(1);
+    assert_eq!(one, written(3));
+    folder.succeed(&format!("{words} g.vtu"));
+    let read = folder
+        .columns("sample g.vtu --support 1 --mass 1 --at-particles --quantity velocity_x --only x=0..0.01");
+    assert!(!read.get("x").is_empty(), "blocks on end are read back");
+}

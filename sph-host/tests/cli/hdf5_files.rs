@@ -69,3 +69,41 @@ fn a_mass_is_asked_for_where_the_header_has_none() {
     gadget.fail_with(1, &format!("sample gadget.hdf5 {AT}"), &["gadget.hdf5: there is no mass", "--mass"]);
     gadget.succeed(&format!("sample gadget.hdf5 {AT} --mass 1"));
 }
+
+#[test]
+fn masses_and_densities_answer_to_the_names_of_the_file() {
+    let swift = folder("swift.hdf5");
+    let words = format!("sample swift.hdf5 {AT}");
+    for (own, special) in [("Masses", "mass"), ("Densities", "density")] {
+        let (own, special) =
+            [own, special].map(|name| swift.succeed(&format!("{words} --quantity {name}"))).into();
+        let without = |said: &crate::support::Said| said.stdout.split_once('\n').unwrap().1.to_owned();
+        assert_eq!(without(&own), without(&special));
+    }
+    assert!(
+        swift
+            .succeed(&format!("{words} --quantity Masses"))
+            .stdout
+            .lines()
+            .next()
+            .unwrap()
+            .ends_with(",Masses")
+    );
+}
+
+#[test]
+fn a_mass_of_the_header_that_cannot_be_is_named() {
+    let gadget = folder("gadget.hdf5");
+    let bytes = gadget.bytes("gadget.hdf5");
+    // the masses of the first two kinds, as the sample has them
+    let first_two = [0.25_f64.to_le_bytes(), 0.5_f64.to_le_bytes()].concat();
+    let at = bytes.windows(16).position(|window| window == first_two).unwrap();
+    for wrong in [-1.0, f64::NAN, f64::INFINITY] {
+        let mut bytes = bytes.clone();
+        bytes[at..at + 8].copy_from_slice(&f64::to_le_bytes(wrong));
+        gadget.write("gadget.hdf5", &bytes);
+        let parts = ["`MassTable`", "`Header`", &wrong.to_string(), "above 0"];
+        gadget.fail_with(1, &format!("sample gadget.hdf5 {AT}"), &parts);
+        gadget.succeed(&format!("sample gadget.hdf5 {AT} --mass 1"));
+    }
+}

@@ -94,3 +94,74 @@ fn what_is_not_flat_is_refused() {
     let line = Columns::parse(&folder.succeed("sample line.csv --support 3 --grid 3 --dim 1").stdout);
     assert_eq!(line.names, ["y", "density"]);
 }
+
+#[test]
+fn a_plane_that_was_written_is_read_back_with_its_axes_and_its_place() {
+    for (normal, [across, up]) in [["y", "z"], ["x", "z"], ["x", "y"]].into_iter().enumerate() {
+        let folder = Folder::with("p.csv", plane(normal));
+        let words = "sample p.csv --support 0.13 --dim 2 --grid 40,30 --quantity A";
+        for ending in ["csv", "npz", "vtu", "xyz"] {
+            folder.succeed(&format!("{words} --out g.{ending}"));
+            let has_names = ["csv", "npz"].contains(&ending);
+            let again = format!("sample g.{ending} --support 0.13 --mass 1 --dim 2 --gradient --quantity A");
+            let said = folder.succeed(&format!("{again} --at-particles"));
+            let missing = format!("`{across}` and `{up}` alone");
+            assert_eq!(
+                said.stderr.contains(&missing),
+                has_names && [across, up] != ["x", "y"],
+                "{}",
+                said.stderr
+            );
+            let found = Columns::parse(&said.stdout);
+            for axis in ["x", "y", "z"].iter().filter(|axis| !has_names || [across, up].contains(axis)) {
+                let along = found.get(axis);
+                let is_flat = ![across, up].contains(axis);
+                assert_eq!(along.iter().all(|&x| x == 3.5), is_flat, "{ending}, {axis}");
+            }
+            let slopes = [format!("A_d{across}"), format!("A_d{up}")];
+            assert_eq!(found.names[found.names.len() - 2..], slopes, "{ending}");
+            folder.succeed(&format!(
+                "sample p.csv --support 0.13 --dim 2 --at g.{ending} --out at.csv --force"
+            ));
+        }
+        for (file, before) in [("g.vti", "Origin=\""), ("g.vtk", "ORIGIN ")] {
+            folder.succeed(&format!("{words} --out {file} --force"));
+            let text = String::from_utf8_lossy(&folder.bytes(file)).into_owned();
+            let origin = text.split_once(before).unwrap().1.split(['"', '\n']).next().unwrap();
+            assert_eq!(origin.split(' ').nth(normal), Some("3.5"), "{file}: {origin}");
+        }
+    }
+}
+
+#[test]
+fn a_plane_of_two_axes_is_one_for_points_and_boxes_too() {
+    let folder = Folder::with("p.csv", "x,z,m,A\n0,0,1,1\n1,0,1,2\n0,1,1,3\n1,1,1,4\n");
+    let flat = Folder::with("p.csv", "x,y,m,A\n0,0,1,1\n1,0,1,2\n0,1,1,3\n1,1,1,4\n");
+    for words in [
+        "--at-particles --gradient --exact",
+        "--at-particles --periodic 0,0,2,2",
+        "--grid 2,3 --gradient --chunk 2",
+        "--grid 2,3 --periodic 0,0,2,0 --chunk 3",
+        "--at-particles --only A=2..4 --scalar i16f16",
+        "--grid 3,3 --part 2/3",
+    ] {
+        let words = format!("sample p.csv --support 1.5 {words}");
+        let (found, expected) = (folder.columns(&words), flat.columns(&words));
+        let renamed = expected
+            .names
+            .iter()
+            .map(|name| if name == "y" { "z".into() } else { name.replace("_dy", "_dz") });
+        assert_eq!(found.names, renamed.collect::<Vec<_>>(), "{words}");
+        assert_eq!(found.values, expected.values, "{words}");
+    }
+    folder.write("space.csv", "x,y,z\n0.5,7,0.25\n");
+    let at = folder.columns("sample p.csv --support 1.5 --at space.csv --dim 2");
+    assert_eq!((at.get("y"), at.get("z")), (&[7.0][..], &[0.25][..]));
+    folder.write("other.csv", "x,y\n0.5,0.25\n");
+    let words = "sample p.csv --support 1.5 --at other.csv";
+    folder.fail_with(1, words, &["other.csv", "x, y (2)", "p.csv", "x, z (2)"]);
+    folder.write("named.csv", "a_y,a_z,m\n0,0,1\n1,0,1\n");
+    let named =
+        folder.columns("sample named.csv --support 1.5 --position a_y,a_z --at-particles --quantity m");
+    assert_eq!(named.names, ["y", "z", "density", "m"]);
+}

@@ -162,7 +162,7 @@ fn what_is_wrong_with_a_header_is_named() {
             "line 3, element `vertex`: the name `X` of number 2 is taken",
         ),
         (
-            format!("ply\nformat ascii 1.0\n{vertex}property int z\nend_header\n1 1\n"),
+            format!("ply\nformat ascii 1.0\n{vertex}property int a\nproperty int z\nend_header\n1 1 1\n"),
             "there is a `z` but no `y`",
         ),
     ] {

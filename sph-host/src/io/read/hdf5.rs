@@ -11,15 +11,15 @@
 //! Arrays are called as in the file, except that `Masses` is `mass`, and `Density` and `Densities` are `density`.
 
 use super::budget::{Budget, refuse_many};
-use super::hdf5_arrays::{Stored, array, open_arrays};
+use super::hdf5_arrays::{Stored, array, open_arrays, plain_components};
 use super::hdf5_sets::{self as sets, Set};
 use super::hdf5_units as units;
 use super::npz::place;
 use super::{open, refuse_special};
 use crate::io::InputFile;
 use crate::io::error::{Parsed, Problem};
-use crate::io::names::{DENSITY, MASS};
-use crate::io::position::Place;
+use crate::io::names::{MASS, OF_SNAPSHOTS};
+use crate::io::position::{Coordinates, Place};
 use crate::io::rows::Rows;
 use crate::io::table::{Array, PointTable, Unusable};
 use hdf5_pure::{Error, File, FormatError, ReadSeekSource, Source};
@@ -64,7 +64,15 @@ fn read_file(path: &Path, set: Option<&str>, named: &[String]) -> Parsed<PointTa
     let file = File::from_source(Limited { whole, left }).map_err(unreadable)?;
     let set = sets::choose(&file, set, named)?;
     let at = format!("group `{}`", set.path);
-    assemble(&file, &set, named, &Budget::of_file(bytes)).map_err(|problem| problem.or_at(&at))
+    let mut source = Opened { file, bytes: fs::File::open(path)?, budget: Budget::of_file(bytes) };
+    assemble(&mut source, &set, named).map_err(|problem| problem.or_at(&at))
+}
+
+/// A file as HDF5 and as bytes, and what it may cost.
+struct Opened {
+    file: File,
+    bytes: fs::File,
+    budget: Budget,
 }
 
 /// A file of which so many bytes more are read.
@@ -108,7 +116,8 @@ pub(super) fn words(error: &Error) -> String {
 }
 
 /// The table of a set.
-fn assemble(file: &File, set: &Set, named: &[String], budget: &Budget) -> Parsed<PointTable> {
+fn assemble(source: &mut Opened, set: &Set, named: &[String]) -> Parsed<PointTable> {
+    let Opened { file, bytes, budget } = source;
     let mut datasets = open_arrays(&set.group)?;
     refuse_many(datasets.len()).map_err(Problem::new)?;
     let notes = units::notes(file, &datasets);
@@ -121,18 +130,31 @@ fn assemble(file: &File, set: &Set, named: &[String], budget: &Budget) -> Parsed
     let coordinates = place.as_ref().map_or(&[][..], Place::arrays);
     let mut order: Vec<usize> = (0..datasets.len()).collect();
     order.sort_by_key(|at| !coordinates.contains(at));
-    let mut arrays: Vec<Array> = order.iter().map(|&at| array(&datasets[at], points, budget)).collect();
+    let vectors = match &place {
+        Some(Place::Vector(at)) => plain_components(&datasets[*at], points, bytes, budget)
+            .map_err(|unusable| Problem::at(format!("array `{}`", datasets[*at].name), unusable.problem))?
+            .map(|values| Coordinates::of_vector(&datasets[*at].name, values)),
+        _ => None,
+    };
+    if vectors.is_some() {
+        order.retain(|at| !coordinates.contains(at));
+    }
+    let mut arrays: Vec<Array> =
+        order.iter().map(|&at| array(&datasets[at], points, bytes, budget)).collect();
     let has_mass = arrays.iter().any(|array| MASS.iter().any(|mass| array.name.eq_ignore_ascii_case(mass)));
     if !has_mass {
         arrays.extend(set.mass(file).map(|mass| mass_of_all(mass, points, budget)));
     }
-    let table = PointTable::of_arrays(arrays, Rows::points(), named)?;
+    let table = match vectors {
+        Some(vectors) => PointTable::beside(vectors, arrays, Rows::points())?,
+        None => PointTable::of_arrays(arrays, Rows::points(), named)?,
+    };
     Ok(PointTable { notes, ..table })
 }
 
 /// Gives mass and density their special names.
 fn rename(datasets: &mut [Stored]) -> Parsed<()> {
-    for (name, special) in [("Masses", MASS), ("Density", DENSITY), ("Densities", DENSITY)] {
+    for (name, special) in OF_SNAPSHOTS {
         let Some(at) = datasets.iter().position(|dataset| dataset.name == name) else { continue };
         let is_special =
             |other: &&Stored| special.iter().any(|special| other.is(special)) && other.name != name;

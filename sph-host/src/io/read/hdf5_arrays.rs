@@ -2,6 +2,7 @@
 
 use super::budget::{Budget, refuse_wide};
 use super::hdf5::words;
+use super::hdf5_plain::Plain;
 use super::hdf5_units::attribute_numbers;
 use super::npz::{is_single, unfit};
 use crate::io::error::{Parsed, Problem, counted, shown};
@@ -9,6 +10,7 @@ use crate::io::numbers::{self, Endian};
 use crate::io::table::{Array, Unusable};
 use hdf5_pure::{AttrValue, Dataset, Datatype, DatatypeByteOrder, Error, Group, Layout};
 use std::collections::HashMap;
+use std::fs::File;
 
 /// A dataset of a set, its numbers not yet read.
 pub(super) struct Stored {
@@ -17,6 +19,8 @@ pub(super) struct Stored {
     /// None where they are damaged.
     pub attributes: Option<HashMap<String, AttrValue>>,
     dataset: Dataset,
+    /// Where its numbers are, if they stand in the file as they are.
+    plain: Option<Plain>,
 }
 
 impl Stored {
@@ -49,18 +53,21 @@ pub(super) fn open_arrays(group: &Group) -> Parsed<Vec<Stored>> {
         })?;
         let shape = lengths.iter().map(|&length| usize::try_from(length).unwrap_or(usize::MAX)).collect();
         let attributes = dataset.attrs().ok();
-        arrays.push(Stored { name, shape, attributes, dataset });
+        let plain = Plain::of(&dataset);
+        arrays.push(Stored { name, shape, attributes, dataset, plain });
     }
     arrays.retain(Stored::is_written);
     Ok(arrays)
 }
 
 /// The array of a dataset at `points` points, with a fault if it has not one row for each.
-pub(super) fn array(stored: &Stored, points: usize, budget: &Budget) -> Array {
+pub(super) fn array(stored: &Stored, points: usize, file: &mut File, budget: &Budget) -> Array {
     let Stored { name, shape, .. } = stored;
     let values = match components(stored, points) {
-        Ok(components) => numbers(stored, budget).map(|values| (components, values)),
-        Err(_) if is_single(name, shape, points) => all_of(stored, points, budget).map(|values| (1, values)),
+        Ok(components) => numbers(stored, file, budget).map(|values| (components, values)),
+        Err(_) if is_single(name, shape, points) => {
+            all_of(stored, points, file, budget).map(|values| (1, values))
+        }
         Err(unusable) => Err(unusable),
     };
     match values {
@@ -91,15 +98,28 @@ fn components(stored: &Stored, points: usize) -> Result<usize, Unusable> {
 }
 
 /// The single number of a dataset for every point.
-fn all_of(stored: &Stored, points: usize, budget: &Budget) -> Result<Vec<f64>, Unusable> {
-    let value = numbers(stored, budget)?[0];
+fn all_of(stored: &Stored, points: usize, file: &mut File, budget: &Budget) -> Result<Vec<f64>, Unusable> {
+    let value = numbers(stored, file, budget)?[0];
     let mut all = budget.numbers(points).map_err(Unusable::numbers)?;
     all.resize(points, value);
     Ok(all)
 }
 
+/// The vectors of a dataset at `points` points, component by component, if they stand in the file as they are.
+pub(super) fn plain_components(
+    stored: &Stored,
+    points: usize,
+    file: &mut File,
+    budget: &Budget,
+) -> Result<Option<Vec<Vec<f64>>>, Unusable> {
+    let Some(plain) = stored.plain else { return Ok(None) };
+    let components = components(stored, points)?;
+    check_storage(stored, points.saturating_mul(components), budget)?;
+    plain.components(file, points, components, budget).map(Some).map_err(Unusable::numbers)
+}
+
 /// The numbers of a dataset, in the order of its shape.
-fn numbers(stored: &Stored, budget: &Budget) -> Result<Vec<f64>, Unusable> {
+fn numbers(stored: &Stored, file: &mut File, budget: &Budget) -> Result<Vec<f64>, Unusable> {
     let Stored { shape, dataset, .. } = stored;
     let kind = dataset.datatype().map_err(damaged)?;
     if !is_numeric(&kind) {
@@ -109,6 +129,9 @@ fn numbers(stored: &Stored, budget: &Budget) -> Result<Vec<f64>, Unusable> {
     let count = shape.iter().try_fold(1_usize, |all, &length| all.checked_mul(length));
     let count = count.ok_or_else(|| Unusable::numbers(format!("the shape {shape:?} cannot be")))?;
     check_storage(stored, count, budget)?;
+    if let Some(plain) = stored.plain {
+        return plain.numbers(file, count, budget).map_err(Unusable::numbers);
+    }
     budget.grow(count).map_err(Unusable::numbers)?;
     let values = if is_half(&kind) { half(dataset, &kind, count) } else { dataset.read_f64() };
     let values = values.map_err(damaged)?;

@@ -154,11 +154,21 @@ impl Set {
         match header.attrs() {
             Ok(attributes) => {
                 let masses = attribute_numbers(attributes.get("MassTable")?)?;
-                masses.get(kind).copied().filter(|&mass| mass != 0.0).map(Ok)
+                masses.get(kind).copied().filter(|&mass| mass != 0.0).map(|mass| checked(mass, kind))
             }
             Err(error) => {
                 Some(Err(format!("the attributes of the group `Header` are damaged: {}", words(&error))))
             }
         }
     }
+}
+
+/// A number of the header's `MassTable`.
+fn checked(mass: f64, kind: usize) -> Result<f64, String> {
+    if mass > 0.0 && mass.is_finite() {
+        return Ok(mass);
+    }
+    Err(format!(
+        "number {kind} of `MassTable` in the group `Header` is {mass}, where a finite number above 0 is expected"
+    ))
 }

@@ -9,6 +9,7 @@ mod csv;
 mod fields;
 mod hdf5;
 mod hdf5_arrays;
+mod hdf5_plain;
 mod hdf5_sets;
 mod hdf5_units;
 mod join;

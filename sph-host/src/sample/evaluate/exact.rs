@@ -29,7 +29,7 @@ pub(super) fn evaluate<T: Scalar, const D: usize>(
 
     let start = Instant::now();
     let frame = plan.units.frame::<D>();
-    let along: [&[f64]; D] = std::array::from_fn(|axis| points.along(plan.axes[axis]));
+    let along: [&[f64]; D] = std::array::from_fn(|axis| points.along(plan.space[axis]));
     let sums = Sums { plan, scene: &scene };
     let mut columns = empty_columns(plan, points.len());
     let mut slices: Vec<&mut [f64]> = columns.iter_mut().map(Vec::as_mut_slice).collect();

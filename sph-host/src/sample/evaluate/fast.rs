@@ -69,7 +69,7 @@ fn converted_points<T: Scalar, const D: usize>(
     end: usize,
 ) -> Vec<[T; D]> {
     let frame = plan.units.frame::<D>();
-    let along: [&[f64]; D] = std::array::from_fn(|axis| &points.along(plan.axes[axis])[first..end]);
+    let along: [&[f64]; D] = std::array::from_fn(|axis| &points.along(plan.space[axis])[first..end]);
     let mut converted = vec![[T::ZERO; D]; end - first];
     parallel::fill(&mut converted, |point| frame.point(std::array::from_fn(|axis| along[axis][point])));
     converted
