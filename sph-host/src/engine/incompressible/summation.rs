@@ -27,6 +27,7 @@ pub(super) struct Carried<T>(Vec<[T; 4]>);
 impl<T: Real> Carried<T> {
     /// Those of a register of records.
     #[inline(always)]
+    #[expect(clippy::manual_memcpy, reason = "a loop keeps registers in registers")]
     pub(super) fn at<I: Isa<T>, const D: usize>(&self, isa: I, records: &[u32]) -> ([I::Reg; D], I::Reg) {
         let four = isa.transpose(
             #[inline(always)]
