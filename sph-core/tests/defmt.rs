@@ -3,6 +3,7 @@
 #![cfg(feature = "defmt")]
 
 use sph_core::field::{LinearBasis, LinearFit};
+use sph_core::fluid::incompressible;
 use sph_core::fluid::wcsph::{
     CellStorage, Forces, Limits, Liquid, OneByOne, Pair, ParticleStates, Particles, Scheme, Seen,
 };
@@ -83,6 +84,15 @@ can_be_logged!(
     Disc<T>,
     Mask<'static, T>,
     Shape<T, SignedDistance, 2>,
+    incompressible::Constraint,
+    incompressible::Outcome,
+    incompressible::Particles<'static, T, 2, ()>,
+    incompressible::Scheme<T, 2, KernelInfluence<T, 2, WendlandC2>>,
+    incompressible::Shape<T, 2>,
+    incompressible::Surroundings<T, 2>,
+    incompressible::OneByOne<'static, Search, T>,
+    incompressible::Tuning<T>,
+    incompressible::Wall<T>,
     Wall<T, 2>,
     Raster<8, 8>,
     EquationOfState<T>,

@@ -47,7 +47,7 @@ fn main() {
 fn steps<T: Real, const D: usize>(what: &str, levels: &[InstructionSet], sides: &[u32]) {
     for &side in sides {
         let times = levels.iter().map(|&level| {
-            let mut tank = Tank::<T, D>::new(side, level).expect("a tank");
+            let mut tank = Tank::<D>::weakly_compressible::<T>(side, level).expect("a tank");
             // some 40 steps each time
             let seconds = 0.25 / f64::from(side);
             let runs = (0..4).map(|_| {

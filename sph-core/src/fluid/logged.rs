@@ -1,5 +1,6 @@
 //! `defmt::Format` of the fluids: their counts and settings, not all of their particles.
 
+use super::incompressible;
 use super::wcsph::{CellStorage, ParticleStates, Particles, Scheme};
 use super::{BorrowedFluid, Container, Particle, PositionBasedFluid, Shape, Wall};
 use crate::neighbours::Index;
@@ -61,5 +62,28 @@ impl<I> Format for CellStorage<'_, I> {
 impl<T, const D: usize, S> Format for Particles<'_, T, D, S> {
     fn format(&self, f: Formatter<'_>) {
         write!(f, "Particles, {=usize} of {=usize} fluid", self.forces.len(), self.positions.len());
+    }
+}
+
+impl<T: Format, const D: usize, W: Format> Format for incompressible::Scheme<T, D, W> {
+    fn format(&self, f: Formatter<'_>) {
+        let Self { gravity, viscosity, influence, layout, tuning, .. } = self;
+        write!(
+            f,
+            "Scheme with gravity {}, viscosity {}, {}, {}, {}",
+            gravity, viscosity, influence, layout, tuning
+        );
+    }
+}
+
+impl<T, const D: usize, S> Format for incompressible::Particles<'_, T, D, S> {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "Particles, {=usize} of {=usize} fluid", self.shapes.len(), self.positions.len());
+    }
+}
+
+impl<S, T> Format for incompressible::OneByOne<'_, S, T> {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "Sums one by one, {=usize} walls", self.walls.len());
     }
 }

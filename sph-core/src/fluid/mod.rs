@@ -4,6 +4,7 @@
 //! |---|---|---|
 //! | [`PositionBasedFluid`] | pendants, badges, displays: one step a frame, never unstable, bounded work | a [`Container`] |
 //! | [`wcsph`] | computations that stand against experiment | wall particles |
+//! | [`incompressible`] | the same with steps ten times as long | wall particles |
 //!
 //! [`raster`] shows the fluid on a grid of lamps or pixels; [`guide`] says how to choose h, gravity and settings, and what was measured.
 
@@ -11,6 +12,7 @@ pub mod container;
 pub mod eos;
 #[doc = include_str!("../../docs/fluid.md")]
 pub mod guide {}
+pub mod incompressible;
 #[cfg(feature = "defmt")]
 mod logged;
 pub mod pbf;

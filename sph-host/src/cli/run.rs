@@ -38,10 +38,11 @@ pub(super) struct RunArgs {
     /// Seconds to simulate; without it, the case's own
     #[arg(long, value_name = "SECONDS", value_parser = parse::positive, allow_hyphen_values = true)]
     time: Option<f64>,
-    /// The number type: f64 (without it) or f32 for wcsph, f32 (without it), fast32 or fixed point for pbf
+    /// The number type: f64 (without it) or f32 for wcsph, f32 (without it) or f64 for incompressible, f32 (without it), fast32 or
+    /// fixed point for pbf
     #[arg(long, value_name = "TYPE", value_parser = parse::scalar)]
     scalar: Option<ScalarName>,
-    /// The kernel of wcsph; without it, wendland-c2
+    /// The kernel of wcsph and incompressible; without it, wendland-c2
     #[arg(long, value_enum)]
     kernel: Option<KernelName>,
     /// The directory of the results; without it, fluisim-CASE
@@ -78,8 +79,10 @@ fn cases(is_so: impl Fn(CaseName) -> bool) -> String {
 
 fn solver_help() -> String {
     let usual = Solver::ALL[0];
+    let is_usual = |solver: &&Solver| CaseName::ALL.iter().any(|case| case.solvers()[0] == **solver);
     let others = Solver::ALL[1..]
         .iter()
+        .filter(is_usual)
         .map(|&solver| format!("{solver} for {}", cases(|case| case.solvers()[0] == solver)));
     let others: Vec<String> = others.collect();
     format!("How it is simulated; without it, {} and {usual} for all others", others.join(", "))

@@ -21,6 +21,8 @@ pub(super) struct SimdKernel<T> {
     inverse_square: T,
     /// σ h^{-D−2}: ∇W = this · f′(q)/q · x
     pub(super) gradient_scale: T,
+    /// σ h^{-D}: W = this · f(q)
+    pub(super) influence_scale: T,
     pub(super) level: InstructionSet,
 }
 
@@ -33,6 +35,7 @@ impl<T: Real> SimdKernel<T> {
             evaluate: with_kernel!(kernel, K => evaluator::<T, K>(D)),
             inverse_square: T::from_f64(1.0 / (h * h)),
             gradient_scale: T::from_f64(constant),
+            influence_scale: T::from_f64(constant * h * h),
             level: InstructionSet::best(),
         }
     }
@@ -45,6 +48,18 @@ pub(super) enum Needed {
     Profiles,
     /// f′(q)/q
     Slopes,
+    /// Both.
+    Both,
+}
+
+impl Needed {
+    fn profiles(self) -> bool {
+        matches!(self, Self::Profiles | Self::Both)
+    }
+
+    fn slopes(self) -> bool {
+        matches!(self, Self::Slopes | Self::Both)
+    }
 }
 
 /// The neighbours of some consecutive particles in blocks: of each particle the blocks of fluid and of walls.
@@ -99,15 +114,12 @@ impl<T: Real, const D: usize> Neighbourhoods<T, D> {
         let inverse_square = kernel.inverse_square;
         let job = FindNeighbours { near: self, inverse_square, records, chunk, first, places, padding };
         let end = T::dispatch(kernel.level, job);
-        match needed {
-            Needed::Profiles => reserve(&mut self.profiles, end),
-            Needed::Slopes => reserve(&mut self.slopes, end),
-        }
+        let [profiles, slopes] =
+            [needed.profiles(), needed.slopes()].map(|is_needed| if is_needed { end } else { 0 });
+        reserve(&mut self.profiles, profiles);
+        reserve(&mut self.slopes, slopes);
         let squares = &self.squares[..end];
-        let (profiles, slopes): (&mut [T], &mut [T]) = match needed {
-            Needed::Profiles => (&mut self.profiles[..end], &mut []),
-            Needed::Slopes => (&mut [], &mut self.slopes[..end]),
-        };
+        let (profiles, slopes) = (&mut self.profiles[..profiles], &mut self.slopes[..slopes]);
         (kernel.evaluate)(kernel.level, Evaluate { squares, scale: T::ONE, profiles, slopes });
     }
 

@@ -11,7 +11,7 @@ use sph_core::vector::{norm_squared, scale};
 use sph_core::{CellGrid, CellLayout, Error, Neighbours, Parameter};
 
 use super::setup::Setup;
-use super::simulation::{RunError, Simulate, Snapshot};
+use super::simulation::{RunError, Simulate, Snapshot, Tally};
 use crate::parallel;
 
 /// Acceleration in h a frame² times depth in spacings, as in the solver's documentation: 0.005 at twelve spacings.
@@ -127,7 +127,7 @@ impl<T: Compact, const D: usize> Simulate<D> for PositionBased<T, D> {
 
     fn prepare(&mut self) -> Result<(), Error> {
         // what a frame's file holds, and no more
-        self.restore(&self.snapshot(), self.steps);
+        self.restore(&self.snapshot(), self.tally());
         self.solver().map(drop)
     }
 
@@ -143,12 +143,12 @@ impl<T: Compact, const D: usize> Simulate<D> for PositionBased<T, D> {
         }
     }
 
-    fn steps(&self) -> u64 {
-        self.steps
+    fn tally(&self) -> Tally {
+        Tally { steps: self.steps, put_back: 0 }
     }
 
-    fn restore(&mut self, snapshot: &Snapshot<D>, steps: u64) {
-        self.steps = steps;
+    fn restore(&mut self, snapshot: &Snapshot<D>, tally: Tally) {
+        self.steps = tally.steps;
         let states = snapshot.positions.iter().zip(&snapshot.velocities).zip(&snapshot.pressures);
         self.particles = states.map(|((x, v), &p)| self.particle(x, v, p)).collect();
     }
@@ -166,7 +166,7 @@ mod tests {
         let mut again = PositionBased::<T, 2>::new(&setup, size, 0.01).unwrap();
         fluid.advance(0.1).unwrap();
         let snapshot = fluid.snapshot();
-        again.restore(&snapshot, fluid.steps());
+        again.restore(&snapshot, fluid.tally());
         fluid.advance(0.2).unwrap();
         again.advance(0.2).unwrap();
         let [one, other] = [&fluid, &again].map(|fluid| fluid.snapshot());

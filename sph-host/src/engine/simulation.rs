@@ -20,6 +20,28 @@ pub(crate) struct Snapshot<const D: usize> {
     pub(crate) pressures: Vec<f64>,
 }
 
+impl<const D: usize> Snapshot<D> {
+    /// Room for so many particles.
+    pub(super) fn empty(time: f64, particles: usize) -> Self {
+        Self {
+            time,
+            positions: vec![[0.0; D]; particles],
+            velocities: vec![[0.0; D]; particles],
+            densities: vec![0.0; particles],
+            pressures: vec![0.0; particles],
+        }
+    }
+}
+
+/// What a simulation counts.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Tally {
+    /// Steps so far.
+    pub(crate) steps: u64,
+    /// How often a particle was put back into the box.
+    pub(crate) put_back: u64,
+}
+
 /// Why a run cannot go on.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub(crate) enum RunError {
@@ -40,11 +62,11 @@ pub(crate) trait Simulate<const D: usize> {
     /// The fluid now.
     fn snapshot(&self) -> Snapshot<D>;
 
-    /// Steps so far.
-    fn steps(&self) -> u64;
+    /// What was counted so far.
+    fn tally(&self) -> Tally;
 
     /// Takes up a fluid that was written before.
-    fn restore(&mut self, snapshot: &Snapshot<D>, steps: u64);
+    fn restore(&mut self, snapshot: &Snapshot<D>, tally: Tally);
 }
 
 /// A weakly compressible liquid in scalar T, its fluid kept in the order of cells.
@@ -126,13 +148,8 @@ impl<T: Real, const D: usize> Simulation<T, D> {
 
     /// Sorts the fluid by cells, and by number in each: an order that follows from the positions alone.
     fn sort(&mut self) -> Result<(), Error> {
-        let mut place = vec![0_u32; self.ids.len()];
-        for (k, &id) in self.ids.iter().enumerate() {
-            place[id as usize] = k as u32;
-        }
-        let by_id: Vec<[T; D]> = place.iter().map(|&k| self.positions[k as usize]).collect();
-        self.ids = self.sums.rows.order(&by_id)?;
-        let from: Vec<usize> = self.ids.iter().map(|&id| place[id as usize] as usize).collect();
+        let (ids, from) = sorted(&self.ids, &self.positions, &self.sums.rows)?;
+        self.ids = ids;
         gather(&mut self.positions, &from);
         gather(&mut self.velocities, &from);
         gather(&mut self.densities, &from);
@@ -144,8 +161,24 @@ impl<T: Real, const D: usize> Simulation<T, D> {
     }
 }
 
+/// The numbers of particles in the order of their cells, and where each of them was.
+pub(super) fn sorted<T: Real, const D: usize>(
+    ids: &[u32],
+    positions: &[[T; D]],
+    rows: &VerletLists<T, D>,
+) -> Result<(Vec<u32>, Vec<usize>), Error> {
+    let mut place = vec![0_u32; ids.len()];
+    for (k, &id) in ids.iter().enumerate() {
+        place[id as usize] = k as u32;
+    }
+    let by_id: Vec<[T; D]> = place.iter().map(|&k| positions[k as usize]).collect();
+    let ids = rows.order(&by_id)?;
+    let from = ids.iter().map(|&id| place[id as usize] as usize).collect();
+    Ok((ids, from))
+}
+
 /// values[k] = old values[from[k]], for as many as `from` has.
-fn gather<U: Copy>(values: &mut [U], from: &[usize]) {
+pub(super) fn gather<U: Copy>(values: &mut [U], from: &[usize]) {
     let gathered: Vec<U> = from.iter().map(|&k| values[k]).collect();
     values[..gathered.len()].copy_from_slice(&gathered);
 }
@@ -200,14 +233,7 @@ impl<T: Real, const D: usize> Simulate<D> for Simulation<T, D> {
     }
 
     fn snapshot(&self) -> Snapshot<D> {
-        let fluid = self.ids.len();
-        let mut snapshot = Snapshot {
-            time: self.time,
-            positions: vec![[0.0; D]; fluid],
-            velocities: vec![[0.0; D]; fluid],
-            densities: vec![0.0; fluid],
-            pressures: vec![0.0; fluid],
-        };
+        let mut snapshot = Snapshot::empty(self.time, self.ids.len());
         for (k, &id) in self.ids.iter().enumerate() {
             let id = id as usize;
             snapshot.positions[id] = self.positions[k].map(T::to_f64);
@@ -218,12 +244,12 @@ impl<T: Real, const D: usize> Simulate<D> for Simulation<T, D> {
         snapshot
     }
 
-    fn steps(&self) -> u64 {
-        self.steps
+    fn tally(&self) -> Tally {
+        Tally { steps: self.steps, put_back: 0 }
     }
 
-    fn restore(&mut self, snapshot: &Snapshot<D>, steps: u64) {
-        (self.time, self.steps) = (snapshot.time, steps);
+    fn restore(&mut self, snapshot: &Snapshot<D>, tally: Tally) {
+        (self.time, self.steps) = (snapshot.time, tally.steps);
         let narrow = |vector: &[f64; D]| vector.map(T::from_f64);
         for (k, &id) in self.ids.iter().enumerate() {
             let id = id as usize;

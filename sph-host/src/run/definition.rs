@@ -42,6 +42,8 @@ pub(super) struct Results<'a, const D: usize> {
     pub(super) series: &'a Series,
     /// The fluid at the end.
     pub(super) last: &'a Snapshot<D>,
+    /// The solver.
+    pub(super) solver: Solver,
     /// Relative rounding of a sum over the particles, which momentum is kept to.
     pub(super) rounding: f64,
 }

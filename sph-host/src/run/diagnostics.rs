@@ -8,8 +8,14 @@ use crate::engine::{Setup, Snapshot};
 use crate::parallel;
 
 /// What every row of the series begins with, after the time.
-pub(super) const COLUMNS: [&str; 5] =
-    ["kinetic_energy", "potential_energy", "max_speed", "mean_density_error", "min_spacing"];
+pub(super) const COLUMNS: [&str; 6] = [
+    "kinetic_energy",
+    "potential_energy",
+    "max_speed",
+    "mean_density_error",
+    "max_density_error",
+    "min_spacing",
+];
 
 /// What every row ends with.
 pub(super) const LAST_COLUMNS: [&str; 4] =
@@ -24,7 +30,7 @@ pub(super) struct Diagnostics<const D: usize> {
     spacing: f64,
     rest_density: f64,
     gravity: [f64; D],
-    /// `None` for a position-based fluid, which has no energy of compression.
+    /// `None` for a fluid without energy of compression.
     state: Option<EquationOfState<f64>>,
     layout: Option<CellLayout<f64, D>>,
     /// Σ m v and Σ m x × v at the start.
@@ -67,13 +73,14 @@ impl<const D: usize> Diagnostics<D> {
         let squares = now.velocities.iter().map(norm_squared);
         let potential: f64 = now.positions.iter().map(|x| -self.mass * dot(&self.gravity, x)).sum();
         let excess = now.densities.iter().map(|density| density / self.rest_density - 1.0);
-        // A position-based density is the kernel's sum, which misses what lies beyond the surface: only compression counts.
+        // Without, the density is the kernel's sum, which misses what lies beyond the surface: only compression counts.
         let error = |excess: f64| if self.state.is_some() { excess.abs() } else { excess.max(0.0) };
         [
             squares.clone().map(|square| 0.5 * self.mass * square).sum(),
             potential,
             squares.fold(0.0, f64::max).sqrt(),
-            excess.map(error).sum::<f64>() / now.densities.len() as f64,
+            excess.clone().map(error).sum::<f64>() / now.densities.len() as f64,
+            excess.map(error).fold(0.0, f64::max),
             self.least_spacing(now),
         ]
     }

@@ -194,7 +194,7 @@ impl RunFolder {
         let checkpoint = json!({
             "run": parameters.to_json(),
             "frames": run.frames,
-            "steps": run.steps(),
+            "steps": run.tally().steps,
             "wall_s": wall,
             "stepping_s": run.stepping,
         });

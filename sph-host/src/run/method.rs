@@ -7,7 +7,7 @@ use sph_lab::{Choice, Chosen, Emulated};
 use super::case::CaseName;
 use super::error::Error;
 use super::solver::Solver;
-use crate::engine::{PositionBased, Setup, Simulate, Simulation};
+use crate::engine::{Incompressible, PositionBased, Setup, Simulate, Simulation};
 use crate::kernel_choice::KernelName;
 use crate::output::Precision;
 use crate::scalar_choice::ScalarName;
@@ -44,19 +44,26 @@ impl Method {
         Ok(Self { solver, scalar, kernel })
     }
 
-    /// The fluid of a setup in a box of this size, with a whole number of steps in `interval` where steps are equal.
+    /// The fluid of a setup in a box, with a whole number of steps in `interval` where steps are equal.
     pub(super) fn simulation<const D: usize>(
         self,
         setup: &Setup<D>,
-        size: [f64; D],
+        inside: [(f64, f64); D],
         interval: f64,
     ) -> Result<Box<dyn Simulate<D>>, Error> {
+        let size = inside.map(|(_, upper)| upper);
         Ok(match (self.solver, self.scalar) {
             (Solver::Wcsph, ScalarName::F32) => {
                 Box::new(Simulation::<f32, D>::new(setup, self.kernel).map_err(Error::Begin)?)
             }
             (Solver::Wcsph, _) => {
                 Box::new(Simulation::<f64, D>::new(setup, self.kernel).map_err(Error::Begin)?)
+            }
+            (Solver::Incompressible, ScalarName::F32) => {
+                Box::new(Incompressible::<f32, D>::new(setup, inside, self.kernel).map_err(Error::Begin)?)
+            }
+            (Solver::Incompressible, _) => {
+                Box::new(Incompressible::<f64, D>::new(setup, inside, self.kernel).map_err(Error::Begin)?)
             }
             (Solver::Pbf, ScalarName::F64) => self.position_based::<f64, D>(setup, size, interval)?,
             (Solver::Pbf, ScalarName::F32) => self.position_based::<f32, D>(setup, size, interval)?,
@@ -94,7 +101,7 @@ impl Method {
     /// Of the numbers in a frame's file: enough to go on from it with the same bits.
     pub(super) fn precision(self) -> Precision {
         match (self.solver, self.scalar) {
-            (Solver::Wcsph, ScalarName::F32) => Precision::F32,
+            (Solver::Wcsph | Solver::Incompressible, ScalarName::F32) => Precision::F32,
             _ => Precision::F64,
         }
     }

@@ -23,9 +23,9 @@ pub struct Options {
     pub resolution: Option<u32>,
     /// Seconds to simulate.
     pub time: Option<f64>,
-    /// The number type; else f64 for wcsph and f32 for pbf.
+    /// The number type; else f64 for wcsph and f32 for the others.
     pub scalar: Option<ScalarName>,
-    /// The kernel; else wendland-c2 for wcsph. pbf has its own, poly6.
+    /// The kernel; else wendland-c2. pbf has its own, poly6.
     pub kernel: Option<KernelName>,
     /// Seconds from frame to frame; else a fiftieth of the time.
     pub every: Option<f64>,

@@ -113,9 +113,10 @@ fn read_frame<const D: usize>(path: &Path, time: f64, particles: usize) -> Resul
     if is_finite { Ok(now) } else { Err(format!("{}: not all numbers are finite", path.display())) }
 }
 
-/// Whether the last cell of a row is a number of steps: whole, and below 2⁵³, beyond which no further step would count.
-fn has_steps(row: &[f64]) -> bool {
-    row.last().is_some_and(|&steps| steps.fract() == 0.0 && (0.0..9_007_199_254_740_992.0).contains(&steps))
+/// Whether the last two cells of a row are counts: whole, and below 2⁵³, beyond which no further step would count.
+fn has_counts(row: &[f64]) -> bool {
+    let is_count = |count: &f64| count.fract() == 0.0 && (0.0..9_007_199_254_740_992.0).contains(count);
+    row.last_chunk::<2>().is_some_and(|counts| counts.iter().all(is_count))
 }
 
 /// Reads the rows of the series up to the first that is not whole, or not where every run of this kind has one.
@@ -143,7 +144,7 @@ fn read_rows(path: &Path, expected: &Expected, damages: &mut Vec<String>) -> Vec
     let mut records = reader.records().peekable();
     while let Some(record) = records.next() {
         let cells = record.iter().flatten().map(str::parse).collect::<Result<Vec<f64>, _>>();
-        let is_row = |row: &Vec<f64>| row.len() == expected.columns.len() && has_steps(row);
+        let is_row = |row: &Vec<f64>| row.len() == expected.columns.len() && has_counts(row);
         let Some(row) = cells.ok().filter(is_row) else {
             damaged(&format!("is damaged in line {}", rows.len() + 2));
             return rows;

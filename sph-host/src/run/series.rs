@@ -53,6 +53,11 @@ impl Series {
         self.column(name).last().map(|point| point[1])
     }
 
+    /// The greatest value of a column at any time, and zero.
+    pub(super) fn greatest(&self, name: &str) -> f64 {
+        self.column(name).iter().map(|point| point[1]).fold(0.0, f64::max)
+    }
+
     /// Whether the rows go on to a time.
     pub(super) fn has_reached(&self, time: f64) -> bool {
         self.rows.last().is_some_and(|row| row[0] >= time * (1.0 - 1e-9))

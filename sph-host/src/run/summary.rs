@@ -89,7 +89,7 @@ impl Summary {
 
 /// What every run measures.
 fn measured<const D: usize>(run: &CaseRun<D>, last: &Snapshot<D>, wall: f64) -> Map<String, Value> {
-    let (particles, steps) = (last.positions.len(), run.steps());
+    let (particles, steps) = (last.positions.len(), run.tally().steps);
     let energy = run.series.energy();
     let [first, end] = [energy.first(), energy.last()].map(|energy| energy.map_or(0.0, |energy| energy[1]));
     let scale = if first == 0.0 { 1.0 } else { first.abs() };
@@ -99,6 +99,7 @@ fn measured<const D: usize>(run: &CaseRun<D>, last: &Snapshot<D>, wall: f64) -> 
         ("particles", json!(particles)),
         ("wall_particles", json!(run.setup.walls.len())),
         ("steps", json!(steps)),
+        ("put_back", json!(run.tally().put_back)),
         ("simulated_s", json!(last.time)),
         ("wall_s", json!(wall)),
         ("particle_steps_per_s", json!(work / wall.max(1e-9))),

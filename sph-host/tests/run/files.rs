@@ -9,7 +9,8 @@ use sph_host::run::CaseName;
 
 use crate::support::{Columns, Folder};
 
-const SERIES: &str = "time,kinetic_energy,potential_energy,max_speed,mean_density_error,min_spacing,";
+const SERIES: &str =
+    "time,kinetic_energy,potential_energy,max_speed,mean_density_error,max_density_error,min_spacing,";
 
 fn summary(folder: &Folder, place: &str) -> Value {
     serde_json::from_slice(&folder.bytes(&format!("{place}/summary.json"))).unwrap()

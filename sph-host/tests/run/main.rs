@@ -7,6 +7,7 @@ mod support;
 mod again;
 mod damage;
 mod files;
+mod incompressible;
 mod kills;
 mod pbf;
 mod process;

@@ -23,7 +23,7 @@ pub(super) static CASE: Definition = Definition {
     duration: || 0.6,
     plot: "front.png",
     columns: &["front_x"],
-    solvers: &[Solver::Wcsph, Solver::Pbf],
+    solvers: &[Solver::Wcsph, Solver::Incompressible, Solver::Pbf],
     in_2d: Some(Form { resolution: 40, build: |resolution| Box::new(DamBreak { resolution }) }),
     in_3d: Some(Form { resolution: 20, build: |resolution| Box::new(DamBreak { resolution }) }),
 };

@@ -20,7 +20,7 @@ pub(super) static CASE: Definition = Definition {
     duration: end,
     plot: "semi_axes.png",
     columns: &["semi_axis_x", "semi_axis_y"],
-    solvers: &[Solver::Wcsph],
+    solvers: &[Solver::Wcsph, Solver::Incompressible],
     in_2d: Some(Form { resolution: 40, build: |resolution| Box::new(Drop { resolution }) }),
     in_3d: None,
 };

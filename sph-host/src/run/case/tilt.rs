@@ -19,7 +19,7 @@ pub(super) static CASE: Definition = Definition {
     duration: || SCRIPT[SCRIPT.len() - 1].0,
     plot: "tilt.png",
     columns: &["fluid_height", "centre_offset"],
-    solvers: &[Solver::Pbf, Solver::Wcsph],
+    solvers: &[Solver::Pbf, Solver::Wcsph, Solver::Incompressible],
     in_2d: Some(Form { resolution: 32, build: |resolution| Box::new(Tilt { resolution }) }),
     in_3d: None,
 };

@@ -1,0 +1,135 @@
+//! Incompressible SPH: pressure and volume by two constraints that are solved in every step, so that the step is as long as the
+//! flow allows and not as sound does.
+//!
+//! ```text
+//! δ_i     = Σ V W_ij                           relative density, 1 on the lattice of the fluid
+//! C_i(u)  = Σ V (u_i − u_j)·∇W_ij              dδ_i/dt under velocities u; walls stand still
+//! P_i(q)  = −Σ V (q_i + q_j) ∇W_ij             acceleration by pressures q = p/ρ₀
+//!
+//! projection    v′ = v* + P(qΔt),     q ≥ 0,   C(v′) ≤ 0,                     one of the two zero at every particle
+//! correction    x′ = x + v′Δt + P(s), s ≥ 0,   δ + C(x′ − x) ≤ 1,             likewise; v′ stays as it is
+//! ```
+//!
+//! v* has gravity and viscosity. The projection makes the pressure; the correction moves particles alone, so that the volume keeps
+//! without energy. P is minus the adjoint of C: momentum is kept to rounding, and both are least squares over values that are
+//! not negative, which [`solve`](Scheme::step) does by projected gradients with momentum.
+//!
+//! | file | what | source |
+//! |---|---|---|
+//! | `shape`, `pressure` | the constraints, in pairs | J. Bender, D. Koschier, *Divergence-free smoothed particle hydrodynamics*, Symp. Computer Animation (2015) 147; M. Ihmsen, J. Cornelis, B. Solenthaler, C. Horvath, M. Teschner, *Implicit incompressible SPH*, IEEE Trans. Vis. Comput. Graph. 20 (2014) 426 |
+//! | `wall` | the pressure of wall particles | S. Adami, X. Y. Hu, N. A. Adams, J. Comput. Phys. 231 (2012) 7057 |
+//! | `solve` | projected gradients with momentum, Jacobi's diagonal | A. Beck, M. Teboulle, SIAM J. Imaging Sci. 2 (2009) 183; restarts: B. O'Donoghue, E. Candès, Found. Comput. Math. 15 (2015) 715 |
+//! | `step` | velocities, then positions | the split of S. J. Cummins, M. Rudman, J. Comput. Phys. 152 (1999) 584, with the shift of density in positions |
+//!
+//! The terms of a pair are written for a [`Lane`](crate::Lane): for one scalar, as [`OneByOne`] sums them here, or for several pairs side by
+//! side, as another [`Summation`] may. Particles are numbered fluid first, then walls, which stand still, several layers deep, as
+//! many as the support reaches, with the spacing of the fluid. A free surface needs nothing: a particle with less than half the
+//! density has no pressure.
+
+mod pressure;
+mod shape;
+mod solve;
+mod step;
+mod summation;
+mod wall;
+
+pub use shape::{Shape, ShapeSums, Surroundings};
+pub use solve::Constraint;
+pub use step::{Outcome, Particles};
+pub use summation::{OneByOne, Summation};
+pub use wall::{Wall, WallSums};
+
+use crate::{CellLayout, Influence, Scalar};
+
+/// A liquid in SPH: what it feels, the influence, the cells that particles are sorted in, the size of each.
+#[derive(Clone, Copy, Debug)]
+pub struct Scheme<T, const D: usize, W> {
+    /// ρ₀
+    pub rest_density: T,
+    /// g, any acceleration that all particles feel.
+    pub gravity: [T; D],
+    /// α c₀ L of Monaghan's artificial viscosity, in L²/T, between fluid particles that approach each other.
+    pub viscosity: T,
+    /// W, and with it the support radius.
+    pub influence: W,
+    /// The cells of the search; periodic axes are periodic for the liquid.
+    pub layout: CellLayout<T, D>,
+    /// The distance of particles on the first lattice.
+    pub spacing: T,
+    /// V, one over the sum of W over that lattice.
+    pub volume: T,
+    /// The box that particles are put back into, from where to where along each axis.
+    pub inside: [[T; 2]; D],
+    /// How the constraints are solved.
+    pub tuning: Tuning<T>,
+}
+
+/// How the constraints are solved, and how long a step is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Tuning<T> {
+    /// The mean of |C| Δt at which the projection ends: 8·10⁻⁵. At 10⁻³ the front of a dam break is 3 % off.
+    pub projection_tolerance: T,
+    /// The mean excess of density at which the correction ends: 10⁻³.
+    pub correction_tolerance: T,
+    /// The part of the density that a step adds by free fall, g Δt²/Δx, that is left at most. An average over all particles is
+    /// blind to it where the fluid is deep: one row in forty is pressed, and the mean is a fortieth.
+    pub fall_tolerance: T,
+    /// Iterations of each at least.
+    pub least_iterations: [u32; 2],
+    /// Iterations of each at most.
+    pub most_iterations: u32,
+    /// χ, the part of a lack of density that a step may close: without it the fluid swells, for C ≤ 0 lets it expand. 0.05.
+    pub closing: T,
+    /// ω of the projection and of the correction: one over the greatest eigenvalue, see [`Scheme::estimate_relaxation`].
+    pub relaxation: [T; 2],
+    /// The part of the last values that each begins with: 1 and 0.7. From all of it, the correction overshoots: four times the
+    /// kinetic energy at rest.
+    pub warm_start: [T; 2],
+    /// Spacings that the fastest particle moves in a step: 0.4.
+    pub courant: T,
+    /// g Δt²/Δx at most: 0.003. It binds at rest, where nothing else does.
+    pub acceleration: T,
+}
+
+impl<T: Scalar> Default for Tuning<T> {
+    fn default() -> Self {
+        Self {
+            projection_tolerance: T::from_f64(8e-5),
+            correction_tolerance: T::from_f64(1e-3),
+            fall_tolerance: T::from_f64(0.1),
+            least_iterations: [2, 1],
+            most_iterations: 200,
+            closing: T::ratio(1, 20),
+            relaxation: [T::ratio(1, 5); 2],
+            warm_start: [T::ONE, T::ratio(7, 10)],
+            courant: T::ratio(2, 5),
+            acceleration: T::ratio(3, 1000),
+        }
+    }
+}
+
+impl<T: Scalar, const D: usize, W: Influence<T, D>> Scheme<T, D, W> {
+    /// L, half the support radius.
+    #[inline]
+    pub fn length(&self) -> T {
+        self.influence.support_radius() * T::ratio(1, 2)
+    }
+
+    /// The longest step while the fastest particle has this speed; [`Scalar::MAX`] at rest without gravity.
+    pub fn longest_step(&self, greatest_speed: T) -> T {
+        let Tuning { courant, acceleration, .. } = self.tuning;
+        let mut step = T::MAX;
+        if greatest_speed > T::ZERO {
+            step = step.min(courant * self.spacing / greatest_speed);
+        }
+        let gravity = crate::vector::norm_squared(&self.gravity).sqrt();
+        if gravity > T::ZERO {
+            step = step.min((acceleration * self.spacing / gravity).sqrt());
+        }
+        if self.viscosity > T::ZERO {
+            step = step.min(T::ratio(2, 5) * self.length() * self.length() / self.viscosity);
+        }
+        step
+    }
+}
