@@ -5,7 +5,7 @@ use crate::qemu::{self, Outcome};
 use crate::target::{M0, TARGETS, Target};
 use anyhow::{Result, ensure};
 
-const SUITES: [&str; 4] = ["-p", "fluisim-firmware", "--examples", "--release"];
+const SUITES: [&str; 4] = ["-p", "fluisim-firmware", "--tests", "--release"];
 
 /// Runs all suites and prints a row for each target; true when everything passed.
 pub(crate) fn check() -> Result<bool> {
@@ -34,7 +34,7 @@ pub(crate) fn check() -> Result<bool> {
 /// A test that fails on purpose must be seen to fail.
 pub(crate) fn self_check() -> Result<bool> {
     let target: Target = M0;
-    let arguments = ["-p", "fluisim-firmware", "--example", "scalars", "--release", "--features", "broken"];
+    let arguments = ["-p", "fluisim-firmware", "--test", "scalars", "--release", "--features", "broken"];
     let mut noticed = false;
     for firmware in compile::build(&target, &arguments)? {
         let outcome = qemu::run(&target, &firmware.path, &[])?;
