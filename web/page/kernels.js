@@ -85,7 +85,9 @@ export class Kernels {
     values.forEach((a, k) => {
       const shade = Math.min(Math.abs(a), 1);
       context.fillStyle = Number.isNaN(a) ? "#333" : a > 0 ? `rgb(${20 + 54 * shade},${28 + 140 * shade},${45 + 210 * shade})` : `rgb(${20 + 235 * shade},${28 + 151 * shade},${45 + 26 * shade})`;
-      context.fillRect((k % POINTS) * cell, 720 - (Math.floor(k / POINTS) + 1) * cell, cell + 0.5, cell + 0.5);
+      // whole points of the canvas, or seams show between the squares
+      const [left, top] = [Math.round((k % POINTS) * cell), Math.round(720 - (Math.floor(k / POINTS) + 1) * cell)];
+      context.fillRect(left, top, Math.ceil(cell), Math.ceil(cell));
     });
     context.strokeStyle = context.fillStyle = "#ffffff";
     context.lineWidth = 2;

@@ -139,6 +139,16 @@ function pointers() {
   for (const kind of ["pointerdown", "pointermove"]) element("dial").addEventListener(kind, turn);
 }
 
+/**
+ * Where down is on the screen, to the right and up; its length is 1 where the screen stands upright. In the device's own axes it is
+ * (cos beta sin gamma, -sin beta): W3C, Device Orientation and Motion. `turned` is by how many degrees the page is turned against them.
+ */
+function downOnScreen(beta, gamma, turned) {
+  const [b, g, t] = [beta, gamma, turned].map((degrees) => (degrees * Math.PI) / 180);
+  const [x, y] = [Math.cos(b) * Math.sin(g), -Math.sin(b)];
+  return [x * Math.cos(t) - y * Math.sin(t), x * Math.sin(t) + y * Math.cos(t)];
+}
+
 /** The device's tilt, after a press: browsers of phones ask for leave, and some give it to pages of https alone. */
 async function sensor() {
   const Sensor = window.DeviceOrientationEvent;
@@ -148,7 +158,7 @@ async function sensor() {
   addEventListener("deviceorientation", ({ beta, gamma }) => {
     if (beta === null) return;
     seen = true;
-    const [x, y] = [Math.sin((gamma * Math.PI) / 180), -Math.sin((beta * Math.PI) / 180)];
+    const [x, y] = downOnScreen(beta, gamma, screen.orientation?.angle ?? 0);
     pool.tilt((Math.atan2(-x, -y) * 180) / Math.PI, Math.min(Math.hypot(x, y), 1));
     tellTilt();
   });

@@ -44,6 +44,23 @@ const orange = (tab) => tab.evaluate(() => {
   for (let at = 0; at < data.length; at += 4) if (data[at] > 200 && data[at + 2] < 120) count += 1;
   return count;
 });
+/** The uppermost of the picture's points that show fluid: its height, 0 to 1 from the bottom. */
+const top = (tab) => tab.evaluate(() => {
+  const canvas = document.getElementById("fluid");
+  const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+  for (let at = 0; at < data.length; at += 4) if (data[at + 2] > 180) return 1 - Math.floor(at / 4 / canvas.width) / canvas.height;
+  return 0;
+});
+/** The first value of `measure` that `holds`, or the last one: as long as a slow machine may take. */
+async function until(tab, measure, holds) {
+  let found = await measure(tab);
+  for (let tries = 0; tries < 300 && !holds(found); tries++) {
+    await tab.waitForTimeout(100);
+    found = await measure(tab);
+  }
+  return found;
+}
+const angle = async (tab) => Number(await tab.getAttribute("#dial", "aria-valuenow"));
 const text = (tab, id) => tab.textContent(`#${id}`);
 const verdict = (tab) => tab.waitForSelector("#verdict.same, #verdict.differs").then((found) => found.getAttribute("class"));
 
@@ -57,14 +74,34 @@ await desk.tab.waitForTimeout(1000);
 const before = await middle(desk.tab);
 await desk.tab.focus("#dial");
 for (let k = 0; k < 6; k++) await desk.tab.keyboard.press("ArrowRight");
-let after = before;
-// as long as a slow machine may take
-for (let tries = 0; tries < 60 && after < before + 0.1; tries++) {
-  await desk.tab.waitForTimeout(1000);
-  after = await middle(desk.tab);
-}
+const after = await until(desk.tab, middle, (found) => found > before + 0.1);
 check("the fluid moves right", after > before + 0.1, `${before.toFixed(2)} -> ${after.toFixed(2)}`);
 await desk.shoot("desk");
+const dial = await desk.tab.locator("#dial").boundingBox();
+await desk.tab.mouse.move(dial.x + 52, dial.y + 90);
+await desk.tab.mouse.down();
+await desk.tab.mouse.move(dial.x + 14, dial.y + 52, { steps: 4 });
+await desk.tab.mouse.up();
+check("the mouse turns the dial", Math.abs((await angle(desk.tab)) - 90) < 2, `${await angle(desk.tab)}°`);
+const left = await until(desk.tab, middle, (found) => found < 0.4);
+check("the fluid moves left", left < 0.4, left.toFixed(2));
+// A poke: fluid that lies still, is pressed in its middle, and leaps. The picture is that of a fluid anew, which falls by little.
+await desk.tab.focus("#dial");
+await desk.tab.keyboard.press("ArrowDown");
+await desk.tab.click("#again");
+await desk.tab.waitForTimeout(1500);
+const still = await top(desk.tab);
+const pool = await desk.tab.locator("#fluid").boundingBox();
+const side = Math.min(pool.width, pool.height);
+const [x, y] = [pool.x + pool.width / 2, pool.y + pool.height / 2 + side * 0.1];
+for (let k = 0; k < 4; k++) {
+  await desk.tab.mouse.move(x, y);
+  await desk.tab.mouse.down();
+  await desk.tab.mouse.move(x, y - side * 0.2, { steps: 4 });
+  await desk.tab.mouse.up();
+}
+const leapt = await until(desk.tab, top, (found) => found > still + 0.05);
+check("a poke makes the fluid leap", leapt > still + 0.05, `${still.toFixed(2)} -> ${leapt.toFixed(2)}`);
 // What is drawn in the corner and in the middle of the upper edge, where a heart has its notch.
 for (const [shape, ...expected] of [["mask", false, false], ["box", true, true], ["disc", false, true]]) {
   await desk.tab.click(`#shape [value=${shape}]`);
@@ -113,6 +150,18 @@ check("reduced motion begins paused", (await text(phone.tab, "run")) === "Run");
 check("and says so", (await text(phone.tab, "verdict")) === "press Run");
 await phone.shoot("phone");
 check("no line is wider than the phone", await phone.tab.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
+// The sensor, as the browser's own emulation reports it: tilted to the right, upright with a gamma that says nothing, on its left side.
+const sensor = await phone.tab.context().newCDPSession(phone.tab);
+await phone.tab.click("#sensor");
+for (const [beta, gamma, expected] of [[0, 60, -90], [90, 80, 0], [0, -60, 90]]) {
+  await sensor.send("DeviceOrientation.setDeviceOrientationOverride", { alpha: 0, beta, gamma });
+  const found = await until(phone.tab, angle, (degrees) => Math.abs(degrees - expected) < 2);
+  check("the sensor tilts", Math.abs(found - expected) < 2, `beta ${beta}, gamma ${gamma}: ${found}°`);
+}
+await phone.tab.waitForFunction(() => document.getElementById("sensor").textContent === "Tilting with the device");
+await phone.tab.click("#run");
+const leans = await until(phone.tab, middle, (found) => found < 0.4);
+check("the fluid follows the sensor", leans < 0.4, leans.toFixed(2));
 await phone.tab.click("#tab-kernels");
 await phone.shoot("phone-kernels");
 check("no error on the phone", phone.errors.length === 0, phone.errors.join("; "));

@@ -18,11 +18,14 @@ pub(crate) unsafe fn add<T: Compact, const D: usize>(
     position: *const [T; D],
     velocity: *const [T; D],
 ) -> Result<(), i32> {
-    // SAFETY: as this function.
-    let (head, position) = unsafe { (fluid::head(fluid)?, fluid::finite(position)?) };
-    // SAFETY: as this function.
-    let velocity = if velocity.is_null() { [T::ZERO; D] } else { unsafe { fluid::finite(velocity) }? };
-    let particle = Particle::new(position, velocity);
+    let at_rest = [T::ZERO; D];
+    let velocity = if velocity.is_null() { &raw const at_rest } else { velocity };
+    // SAFETY: as this function; `given` looked at the fluid and at both.
+    let (head, particle) = unsafe {
+        fluid::given(fluid, position)?;
+        fluid::given(fluid, velocity)?;
+        (&mut *fluid, Particle::new(*position, *velocity))
+    };
     let contains = head.walls.contains;
     // SAFETY: `init` stored the table that belongs to the container.
     if !unsafe { contains(fluid, &particle.position()) } {
@@ -71,9 +74,12 @@ pub(crate) unsafe fn impulse<T: Compact, const D: usize>(
     radius: T,
     change: *const [T; D],
 ) -> Result<(), i32> {
-    // SAFETY: as this function.
-    let (particles, centre, change) =
-        unsafe { (fluid::particles(fluid)?, fluid::finite(centre)?, fluid::finite(change)?) };
+    // SAFETY: as this function; `given` looked at the fluid and at both.
+    let (particles, centre, change) = unsafe {
+        fluid::given(fluid, centre)?;
+        fluid::given(fluid, change)?;
+        (fluid::particles(fluid)?, *centre, *change)
+    };
     if !radius.is_finite() {
         return Err(code::NOT_FINITE);
     }

@@ -52,3 +52,11 @@ pub fn of(error: Error) -> i32 {
 pub fn of_result(result: Result<(), i32>) -> i32 {
     result.map_or_else(|code| code, |()| OK)
 }
+
+/// The result that a code stands for.
+///
+/// # Errors
+/// The code, unless it is [`OK`].
+pub fn to_result(code: i32) -> Result<(), i32> {
+    if code == OK { Ok(()) } else { Err(code) }
+}

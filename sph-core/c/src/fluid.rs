@@ -41,7 +41,7 @@ struct Contained<T: Compact, C, const D: usize> {
 #[derive(Debug)]
 pub struct Walls<T: Compact, const D: usize> {
     pub(crate) contains: unsafe fn(*const Fluid<T, D>, &[T; D]) -> bool,
-    step: unsafe fn(*mut Fluid<T, D>, [T; D]) -> i32,
+    step: unsafe fn(*mut Fluid<T, D>, *const [T; D]) -> i32,
 }
 
 impl<T: Compact, const D: usize> Walls<T, D> {
@@ -66,11 +66,20 @@ impl<T: Compact, const D: usize> Fluid<T, D> {
     /// The memory of a fluid in bytes; the largest number there is where it is too much for the processor.
     #[must_use]
     pub fn bytes(capacity: u16, cells: u32) -> usize {
-        let particles = usize::from(capacity).checked_mul(size_of::<Particle<T, D>>());
-        let starts = usize::try_from(cells).ok().and_then(|cells| cells.checked_mul(2));
-        let both = particles.zip(starts).and_then(|(particles, starts)| particles.checked_add(starts));
-        both.and_then(|both| both.checked_add(HEAD)).unwrap_or(usize::MAX)
+        // what `capacity` particles and the head take at most is far below the largest number
+        const { assert!(Self::UP_TO_STARTS < isize::MAX as usize) };
+        let most = (isize::MAX as usize).saturating_sub(Self::UP_TO_STARTS) / size_of::<u16>();
+        match usize::try_from(cells) {
+            Ok(cells) if cells <= most => {
+                HEAD.wrapping_add(usize::from(capacity).wrapping_mul(size_of::<Particle<T, D>>()))
+                    .wrapping_add(cells.wrapping_mul(size_of::<u16>()))
+            }
+            _ => usize::MAX,
+        }
     }
+
+    /// What the head and the most particles there can be take.
+    const UP_TO_STARTS: usize = HEAD + u16::MAX as usize * size_of::<Particle<T, D>>();
 
     /// How many particles there are.
     #[must_use]
@@ -161,7 +170,7 @@ pub unsafe fn init<T: Compact, C: Container<T, D>, const D: usize>(
         return Err(code::BAD_ARGUMENT);
     }
     let needed = Fluid::<T, D>::bytes(capacity, cells);
-    if bytes < needed || needed > isize::MAX as usize {
+    if bytes < needed {
         return Err(code::TOO_SMALL);
     }
     let settings = if D == 3 { Settings::IN_3D } else { Settings::DEFAULT };
@@ -211,17 +220,17 @@ unsafe fn contains<T: Compact, C: Container<T, D>, const D: usize>(
 }
 
 /// # Safety
-/// `init` made the fluid with a container of type `C`; nobody else uses its memory.
+/// `init` made the fluid with a container of type `C`; nobody else uses its memory. `acceleration` points to numbers.
 unsafe fn step_in<T: Compact, C: Container<T, D>, const D: usize>(
     fluid: *mut Fluid<T, D>,
-    acceleration: [T; D],
+    acceleration: *const [T; D],
 ) -> i32 {
     // SAFETY: as this function; container, particles and starts lie apart from each other, and all of them are written.
-    let (container, settings, particles, starts) = unsafe {
+    let (container, settings, particles, starts, acceleration) = unsafe {
         let Contained { fluid: head, container } = &*fluid.cast::<Contained<T, C, D>>();
         let particles = core::slice::from_raw_parts_mut(room(fluid), head.len.into());
         let starts = core::slice::from_raw_parts_mut(starts(fluid), head.cells as usize);
-        (container, head.settings, particles, starts)
+        (container, head.settings, particles, starts, *acceleration)
     };
     // `add` lets no particle in that is outside, and the solver keeps all of them inside
     match BorrowedFluid::<T, C, D, u16>::trusted(container, settings, particles, starts) {
@@ -244,14 +253,32 @@ pub unsafe fn step<T: Compact, const D: usize>(
     fluid: *mut Fluid<T, D>,
     acceleration: *const [T; D],
 ) -> Result<(), i32> {
-    // SAFETY: as this function.
-    let (head, acceleration) = unsafe { (head(fluid)?, finite(acceleration)?) };
-    let step = head.walls.step;
-    // SAFETY: `init` stored the table that belongs to the container.
-    match unsafe { step(fluid, acceleration) } {
-        code::OK => Ok(()),
-        error => Err(error),
+    // SAFETY: as this function; `init` stored the table that belongs to the container.
+    let code = unsafe {
+        given(fluid, acceleration)?;
+        ((*fluid).walls.step)(fluid, acceleration)
+    };
+    code::to_result(code)
+}
+
+/// Looks at a fluid and at numbers for it: [`head`] and [`finite`] in one, compiled once for all that need both.
+///
+/// # Safety
+/// As [`head`], but nothing is written; `numbers` as [`pointer::read`].
+///
+/// # Errors
+/// As [`head`], then as [`finite`].
+pub unsafe fn given<T: Compact, const D: usize>(
+    fluid: *const Fluid<T, D>,
+    numbers: *const [T; D],
+) -> Result<(), i32> {
+    #[inline(never)]
+    unsafe fn code<T: Compact, const D: usize>(fluid: *const Fluid<T, D>, numbers: *const [T; D]) -> i32 {
+        // SAFETY: as `given`.
+        code::of_result(unsafe { head(fluid.cast_mut()).and_then(|_| finite(numbers).map(|_| ())) })
     }
+    // SAFETY: as this function.
+    code::to_result(unsafe { code(fluid, numbers) })
 }
 
 /// Numbers of the caller that have to be finite.

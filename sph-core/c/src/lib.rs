@@ -24,6 +24,8 @@ pub mod fluid;
 pub mod pixels;
 pub mod pointer;
 mod sums;
+#[cfg(all(feature = "archive", target_arch = "arm"))]
+mod zeros;
 
 /// 16.16 fixed point that stays at the ends of its range: `fluisim_q16` in C, where it is an `int32_t`.
 pub type Q16 = sph_core::scalar::fixed::Saturating<sph_core::scalar::fixed::I16F16>;

@@ -17,9 +17,10 @@ static FLUISIM_MEMORY(memory, FLUISIM_F32_2D_BYTES(64, FLUISIM_CELLS_2D(7.5, 7.5
 
 int main(void) {
 #ifndef EMPTY
-    static const number_t size[2] = {N(7.5), N(7.5)}, position[2] = {N(0.25), N(0.25)}, down[2] = {N(0), N(-0.005)};
+    static const number_t size[2] = {N(7.5), N(7.5)}, position[2] = {N(0.25), N(0.25)}, velocity[2] = {N(0), N(0)},
+                          down[2] = {N(0), N(-0.005)};
     fluid_t *fluid;
-    return F(init_box)(memory, sizeof memory, 64, size, &fluid) | F(add)(fluid, position, 0) | F(step)(fluid, down);
+    return F(init_box)(memory, sizeof memory, 64, size, &fluid) | F(add)(fluid, position, velocity) | F(step)(fluid, down);
 #else
     (void)memory;
     return 0;

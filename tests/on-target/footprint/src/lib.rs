@@ -2,6 +2,7 @@
 
 #![no_std]
 
+pub mod pendant;
 pub mod typical;
 
 #[cfg(target_os = "none")]

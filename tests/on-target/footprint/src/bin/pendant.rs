@@ -2,23 +2,8 @@
 #![no_std]
 #![no_main]
 
-use core::hint::black_box;
-use sph_core::fluid::{OpenBox, Particle, PositionBasedFluid};
+use fluisim_footprint::pendant::Pendant;
 
-type Fluid = PositionBasedFluid<f32, OpenBox<f32, 2>, 2, 64, 64>;
-
-struct Pendant(Fluid);
-
-impl Pendant {
-    const fn new() -> Self {
-        Self(Fluid::new(OpenBox::new([7.5, 7.5])))
-    }
-
-    fn run(&mut self) -> bool {
-        let added = self.0.add(Particle::new(black_box([0.25, 0.25]), [0.0, 0.0]));
-        self.0.step(black_box([0.0, -0.005]));
-        added.is_ok()
-    }
-}
-
-fluisim_footprint::firmware!(Pendant, Pendant::run);
+fluisim_footprint::firmware!(Pendant<f32>, |pendant: &mut Pendant<f32>| {
+    pendant.run(7.5, 0.25, 0.0, [0.0, -0.005])
+});

@@ -65,7 +65,7 @@ fn only_object(archive: &[u8]) -> Result<&[u8]> {
     Ok(objects[0])
 }
 
-/// The object without sections for debuggers, and without those for unwinding, which would bring in the unwinder and `malloc`: nothing
+/// The object with no symbol for other objects but `fluisim_…`, without sections for debuggers, and without those for unwinding, which would bring in the unwinder and `malloc`: nothing
 /// here unwinds.
 fn stripped(object: &[u8]) -> Result<Vec<u8>> {
     let mut builder = Builder::read(object)?;
@@ -75,7 +75,12 @@ fn stripped(object: &[u8]) -> Result<Vec<u8>> {
         section.delete = [&b".debug_"[..], b".ARM.exidx", b".ARM.extab", b".comment"].into_iter().any(holds);
     }
     for symbol in builder.symbols.iter_mut() {
-        symbol.delete = symbol.name.to_vec().starts_with(b"__aeabi_unwind");
+        let name = symbol.name.to_vec();
+        symbol.delete = name.starts_with(b"__aeabi_unwind");
+        // the crate's own function for zeros: a program keeps its C library's
+        if symbol.section.is_some() && name.starts_with(b"__aeabi_memclr") {
+            symbol.set_st_info(object::elf::STB_LOCAL, symbol.st_type());
+        }
     }
     builder.delete_orphans();
     // LLVM keeps the names of sections and symbols in one table
