@@ -77,7 +77,8 @@ fn headers_at_fault() {
     assert!(error("a;b\n").contains("no column is called `x`; there are `a`, `b`"));
     assert!(error("a b\n").contains("no column is called `x`; there are `a b`"));
     assert_eq!(error("y,m\n"), "line 1: there is a `y` but no `x`");
-    assert_eq!(error("x,z\n"), "line 1: there is a `z` but no `y`");
+    assert_eq!(error("x,a,z\n"), "line 1: there is a `z` but no `y`");
+    assert_eq!(table("x,z\n").unwrap().space, [0, 2], "a plane, and a note says so");
     assert!(error(b"x,\xff\n").contains("not UTF-8"));
 }
 
