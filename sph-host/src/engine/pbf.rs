@@ -48,7 +48,7 @@ impl<T: Compact, const D: usize> PositionBased<T, D> {
         let longest = (WEIGHT / depth.max(1.0) * unit / gravity).sqrt();
         let cells: usize = in_units.iter().map(|length| length.floor_to_i32().max(0) as usize + 1).product();
         let mut fluid = Self {
-            walls: OpenBox::new(in_units),
+            walls: OpenBox::try_new(in_units)?,
             particles: Vec::new(),
             starts: vec![0; cells],
             gravity: setup.gravity_at,

@@ -59,6 +59,10 @@ impl Destination {
         } else {
             frames(run, &|_, _| Ok(()))?
         };
+        if run.frames == begun {
+            // no frame came to bring these with it, and they may be what the directory lost
+            folder.write_progress(run, parameters, wall())?;
+        }
         folder.remove_after(run.frames)?;
         let mut summary = Summary::new(run, &last, parameters, wall());
         if self.pictures {

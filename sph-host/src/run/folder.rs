@@ -189,6 +189,16 @@ impl RunFolder {
     ) -> Result<(), Error> {
         let number = run.frames - 1;
         output::write(&frame::table(now, run.method.precision()), &target(self.frame(number)))?;
+        self.write_progress(run, parameters, wall)
+    }
+
+    /// Writes what tells of all frames so far.
+    pub(super) fn write_progress<const D: usize>(
+        &self,
+        run: &CaseRun<D>,
+        parameters: &Parameters,
+        wall: f64,
+    ) -> Result<(), Error> {
         self.write_series(run)?;
         self.write_collection(run)?;
         let checkpoint = json!({

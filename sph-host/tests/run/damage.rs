@@ -65,6 +65,25 @@ fn a_run_goes_on_before_what_is_cut_short_or_missing() {
     }
 }
 
+/// Nothing is left to be computed, and yet all that was lost is there again.
+#[test]
+fn what_a_whole_run_lost_is_made_anew() {
+    let folder = Folder::new();
+    folder.succeed(&format!("{RUN} --time 0.008 --out whole --no-pictures"));
+    let files = ["series.csv", "frame_0000.vtu", "frame_0002.vtu", "frames.pvd"];
+    for file in files.iter().chain(&["checkpoint.json"]) {
+        for left in LOST {
+            let _ = fs::remove_dir_all(folder.path("parted"));
+            folder.succeed(&format!("{RUN} --time 0.008 --out parted --no-pictures"));
+            damage(&folder, &format!("parted/{file}"), left);
+            folder.succeed("run --out parted --resume --no-pictures");
+            assert_same(&folder, &files, &format!("{file} {left:?}"));
+            let again = folder.succeed("run --out parted --resume --no-pictures");
+            assert!(!again.stderr.contains("note: "), "{file} {left:?}: {}", again.stderr);
+        }
+    }
+}
+
 #[test]
 fn what_is_lost_is_told() {
     let folder = Folder::new();

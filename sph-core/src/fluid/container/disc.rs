@@ -1,9 +1,9 @@
 //! A disc, in three dimensions a ball.
 
 use super::{Container, Wall, hold};
-use crate::Arithmetic;
 use crate::scalar::compact::{Compact, NearUnit};
 use crate::vector::{norm_squared, scale};
+use crate::{Arithmetic, Error, Parameter, check};
 
 /// A disc (in three dimensions a ball) of `radius` 1 or more around (radius, radius, …), in units of h.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -13,13 +13,28 @@ pub struct Disc<T> {
 }
 
 impl<T> Disc<T> {
-    /// The disc in the box from 0 to 2 `radius`.
+    /// The disc in the box from 0 to 2 `radius`, for a `static`: a constant cannot be compared with another here. A radius below 1,
+    /// or one that wrapped, makes a disc that contains no place, so that no particle is taken; [`try_new`](Self::try_new) refuses it.
     pub const fn new(radius: T) -> Self {
         Self { radius }
     }
 }
 
 impl<T: Compact> Disc<T> {
+    /// The disc in the box from 0 to 2 `radius`; a radius of 1 or more.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] and [`Error::NotPositive`]; [`Error::NotRepresentable`] for a radius below 1, and where the scalar
+    /// cannot hold 2 `radius`.
+    pub fn try_new(radius: T) -> Result<Self, Error> {
+        check::positive(radius, Parameter::Axis, 0)?;
+        if radius >= T::ONE && radius + radius - radius == radius && radius + radius > radius {
+            Ok(Self::new(radius))
+        } else {
+            Err(Error::NotRepresentable { parameter: Parameter::Axis })
+        }
+    }
+
     /// x from the centre in units of the radius, and its square: in the range of every scalar.
     #[inline(always)]
     fn relative<const D: usize>(&self, x: &[T; D]) -> ([T; D], T) {
@@ -34,7 +49,7 @@ impl<T: Compact, const D: usize> Container<T, D> for Disc<T> {
     }
 
     fn contains(&self, x: &[T; D]) -> bool {
-        self.relative(x).1 <= T::ONE
+        self.radius >= T::ONE && self.relative(x).1 <= T::ONE
     }
 
     fn wall(&self, x: &[T::Near; D]) -> Option<Wall<T::Near, D>> {

@@ -45,7 +45,8 @@ impl<'a, T: Compact> Mask<'a, T> {
     /// The bitmap with rows of `width` pixels of side `pixel`.
     ///
     /// # Errors
-    /// [`Error::NotPositive`] for a `width` or `pixel` of zero or less; [`Error::NotRepresentable`] for a pixel below 1/2;
+    /// [`Error::NotPositive`] for a `width` or `pixel` of zero or less; [`Error::NotRepresentable`] for a pixel below 1/2, and
+    /// where the scalar cannot hold the length of a side;
     /// [`Error::LengthMismatch`] where the bytes are no whole number of rows; [`Error::CapacityExceeded`] for more than 255 rows.
     pub fn new(bits: &'a [u8], width: u8, pixel: T) -> Result<Self, Error> {
         let parameter = Parameter::Cells;
@@ -64,6 +65,10 @@ impl<'a, T: Compact> Mask<'a, T> {
             capacity: 255,
             needed: rows,
         })?;
+        // held at the end of the range, or wrapped, one more pixel adds nothing
+        if !(1..=i32::from(width.max(height))).all(|n| pixel.times(n) > pixel.times(n - 1)) {
+            return Err(Error::NotRepresentable { parameter: Parameter::Axis });
+        }
         Ok(Self { bits, width, height, pixel, per_length: T::ONE / pixel })
     }
 

@@ -1,8 +1,8 @@
 //! A box.
 
 use super::{Container, GAP, Wall, half_space, hold};
-use crate::Arithmetic;
 use crate::scalar::compact::{Compact, NearUnit};
+use crate::{Arithmetic, Error, Parameter, check};
 
 /// A box from 0 to `size`, in units of h, closed on all sides.
 ///
@@ -14,13 +14,34 @@ pub struct OpenBox<T, const D: usize> {
 }
 
 impl<T, const D: usize> OpenBox<T, D> {
-    /// The box from 0 to `size`; lengths of 1/4 or more.
+    /// The box from 0 to `size`, for a `static`: a constant cannot be compared with another here. A length below 1/4, or
+    /// one that wrapped, makes a box that contains no place, so that no particle is taken; [`try_new`](Self::try_new) refuses it.
     pub const fn new(size: [T; D]) -> Self {
         Self { size }
     }
 }
 
 impl<T: Compact, const D: usize> OpenBox<T, D> {
+    /// The box from 0 to `size`; lengths of 1/4 or more.
+    ///
+    /// ```
+    /// use sph_core::fluid::OpenBox;
+    /// assert!(OpenBox::try_new([7.5_f32, 0.25]).is_ok());
+    /// assert!(OpenBox::try_new([7.5_f32, 0.2]).is_err());
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] and [`Error::NotPositive`] with the axis as index; [`Error::NotRepresentable`] for a length below 1/4.
+    pub fn try_new(size: [T; D]) -> Result<Self, Error> {
+        for (axis, &length) in size.iter().enumerate() {
+            check::positive(length, Parameter::Axis, axis)?;
+            if !is_wide(length) {
+                return Err(Error::NotRepresentable { parameter: Parameter::Axis });
+            }
+        }
+        Ok(Self::new(size))
+    }
+
     /// The upper corner.
     #[inline(always)]
     fn upper(&self) -> [T::Near; D] {
@@ -67,7 +88,7 @@ impl<T: Compact, const D: usize> Container<T, D> for OpenBox<T, D> {
     }
 
     fn contains(&self, x: &[T; D]) -> bool {
-        (0..D).all(|axis| x[axis] >= T::ZERO && x[axis] <= self.size[axis])
+        (0..D).all(|axis| x[axis] >= T::ZERO && x[axis] <= self.size[axis] && is_wide(self.size[axis]))
     }
 
     #[inline(always)]
@@ -85,6 +106,11 @@ impl<T: Compact, const D: usize> Container<T, D> for OpenBox<T, D> {
         }
         self.put_back(&to, gap)
     }
+}
+
+/// Whether a place between two walls so far apart can be [`GAP`] away from both.
+fn is_wide<T: Arithmetic + PartialOrd>(length: T) -> bool {
+    length >= T::ratio(2 * GAP.0, GAP.1)
 }
 
 /// The walls across each axis together, of which each takes a share of what the others leave `open`.
