@@ -70,10 +70,9 @@ impl<T: Compact, const D: usize> Fluid<T, D> {
         const { assert!(Self::UP_TO_STARTS < isize::MAX as usize) };
         let most = (isize::MAX as usize).saturating_sub(Self::UP_TO_STARTS) / size_of::<u16>();
         match usize::try_from(cells) {
-            Ok(cells) if cells <= most => {
-                HEAD.wrapping_add(usize::from(capacity).wrapping_mul(size_of::<Particle<T, D>>()))
-                    .wrapping_add(cells.wrapping_mul(size_of::<u16>()))
-            }
+            Ok(cells) if cells <= most => HEAD
+                .wrapping_add(usize::from(capacity).wrapping_mul(size_of::<Particle<T, D>>()))
+                .wrapping_add(cells.wrapping_mul(size_of::<u16>())),
             _ => usize::MAX,
         }
     }

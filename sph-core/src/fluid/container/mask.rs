@@ -65,8 +65,12 @@ impl<'a, T: Compact> Mask<'a, T> {
             capacity: 255,
             needed: rows,
         })?;
-        // held at the end of the range, or wrapped, one more pixel adds nothing
-        if !(1..=i32::from(width.max(height))).all(|n| pixel.times(n) > pixel.times(n - 1)) {
+        // wrapped, one more pixel takes away; held at the end of the range, it adds less than a pixel
+        let grows = |n: i32| {
+            let (before, now) = (pixel.times(n - 1), pixel.times(n));
+            now > before && now.is_finite() && now - before >= pixel - (now - before)
+        };
+        if !(1..=i32::from(width.max(height))).all(grows) {
             return Err(Error::NotRepresentable { parameter: Parameter::Axis });
         }
         Ok(Self { bits, width, height, pixel, per_length: T::ONE / pixel })
