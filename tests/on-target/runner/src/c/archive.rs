@@ -65,8 +65,8 @@ fn only_object(archive: &[u8]) -> Result<&[u8]> {
     Ok(objects[0])
 }
 
-/// The object with no symbol for other objects but `fluisim_…`, without sections for debuggers, and without those for unwinding, which would bring in the unwinder and `malloc`: nothing
-/// here unwinds.
+/// The object with no symbol for other objects but `fluisim_…`, without sections for debuggers, and without those for unwinding, which
+/// would bring in the unwinder and `malloc`: nothing here unwinds.
 fn stripped(object: &[u8]) -> Result<Vec<u8>> {
     let mut builder = Builder::read(object)?;
     for section in builder.sections.iter_mut() {
