@@ -21,19 +21,20 @@ pub(crate) unsafe fn add<T: Compact, const D: usize>(
     let at_rest = [T::ZERO; D];
     let velocity = if velocity.is_null() { &raw const at_rest } else { velocity };
     // SAFETY: as this function; `given` looked at the fluid and at both.
-    let (head, particle) = unsafe {
+    let (head, position, velocity) = unsafe {
         fluid::given(fluid, position)?;
         fluid::given(fluid, velocity)?;
-        (&mut *fluid, Particle::new(*position, *velocity))
+        (&mut *fluid, &*position, &*velocity)
     };
     let contains = head.walls.contains;
     // SAFETY: `init` stored the table that belongs to the container.
-    if !unsafe { contains(fluid, &particle.position()) } {
+    if !unsafe { contains(fluid, position) } {
         return Err(code::OUTSIDE);
     }
     if head.len >= head.capacity {
         return Err(code::FULL);
     }
+    let particle = Particle::trusted(*position, *velocity);
     // SAFETY: there is room for `capacity` particles, which is more than `len`.
     unsafe { fluid::room(fluid).add(head.len.into()).write(particle) };
     head.len = head.len.wrapping_add(1);

@@ -89,7 +89,7 @@ macro_rules! fluid {
                     // SAFETY: as the header says.
                     of_result(unsafe {
                         pointer::write(fluid, core::ptr::null_mut()).and_then(|()| {
-                            let container = OpenBox::new(pointer::read(size)?);
+                            let container = OpenBox::new(fluid::finite(size)?);
                             fluid::init((memory, bytes), capacity, container, &WALLS, fluid)
                         })
                     })

@@ -186,11 +186,7 @@ pub unsafe fn init<T: Compact, C: Container<T, D>, const D: usize>(
 
 /// The cells that the solver needs for a container: a solver without any says so.
 fn cells<T: Compact, C: Container<T, D>, const D: usize>(container: &C) -> Result<u32, i32> {
-    let size = container.size();
-    if !size.iter().all(|length| length.is_finite()) {
-        return Err(code::NOT_FINITE);
-    }
-    if !size.iter().all(|&length| length >= T::ratio(1, 4)) {
+    if !container.size().iter().all(|&length| length >= T::ratio(1, 4)) {
         return Err(code::BAD_ARGUMENT);
     }
     match BorrowedFluid::<T, C, D, u16>::trusted(container, Settings::DEFAULT, &mut [], &mut []) {
@@ -288,9 +284,15 @@ pub unsafe fn given<T: Compact, const D: usize>(
 /// # Errors
 /// [`code::NOT_FINITE`], and as [`pointer::check`].
 pub unsafe fn finite<T: Scalar, const D: usize>(numbers: *const [T; D]) -> Result<[T; D], i32> {
-    // SAFETY: as this function.
-    let numbers = unsafe { pointer::read(numbers) }?;
-    if numbers.iter().all(|number| number.is_finite()) { Ok(numbers) } else { Err(code::NOT_FINITE) }
+    #[inline(never)]
+    unsafe fn code<T: Scalar, const D: usize>(numbers: *const [T; D]) -> i32 {
+        // SAFETY: as `finite`.
+        code::of_result(unsafe { pointer::read(numbers) }.and_then(|numbers| {
+            if numbers.iter().all(|number| number.is_finite()) { Ok(()) } else { Err(code::NOT_FINITE) }
+        }))
+    }
+    // SAFETY: as this function; `code` looked at the pointer.
+    code::to_result(unsafe { code(numbers) }).map(|()| unsafe { *numbers })
 }
 
 /// A disc, if the solver can work with its radius.

@@ -97,13 +97,18 @@ fn nothing_escapes_in_a_hundred_thousand_frames() {
 /// Particles that `new` refuses, in the solver that does not look at them, beside a block of others.
 fn strays<T: Compact>(places: &[T]) {
     let walls = OpenBox::new([T::ratio(11, 2); 2]);
-    for axis in 0..2 {
+    for (axis, make) in [
+        (0, Particle::new as fn(_, _) -> _),
+        (1, Particle::new),
+        (0, Particle::trusted),
+        (1, Particle::trusted),
+    ] {
         let mut starts = [0_u16; 36];
         let mut particles: Vec<_> = block([1.0; 2], 4, 4).collect();
         for &place in places {
             let mut position = [T::ONE; 2];
             position[axis] = place;
-            particles.push(Particle::new(position, [T::ZERO; 2]));
+            particles.push(make(position, [T::ZERO; 2]));
         }
         assert!(BorrowedFluid::new(&walls, Settings::DEFAULT, &mut particles, &mut starts).is_err());
         for _ in 0..100 {

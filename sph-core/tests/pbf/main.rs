@@ -96,6 +96,19 @@ fn particles_come_and_go() {
     assert!(cramped.add(at(1.0, 1.0)).unwrap_err().to_string().contains("cells: capacity 8, needed 9"));
 }
 
+#[test]
+fn a_trusted_particle_is_the_same_as_one_that_was_looked_at() {
+    for (position, velocity) in
+        [([0.5_f32, 7.25], [0.5, -0.25]), ([0.0, 65_536.0], [3.0, -3.0]), ([-1.0, 1.0], [f32::NAN, 0.0])]
+    {
+        let [new, trusted] = [Particle::new(position, velocity), Particle::trusted(position, velocity)];
+        assert_eq!(new.position(), position);
+        assert_eq!(trusted.position(), position);
+        let held = velocity.map(|v| if v.is_nan() { 0.0 } else { v.clamp(-1.0, 1.0) });
+        assert_eq!([new.velocity(), trusted.velocity()], [held, held]);
+    }
+}
+
 /// 4 × 4 × 4 of fluid; the mean is taken over 200 frames, a single one's speed varying by a fifth.
 #[test]
 fn three_dimensions_come_to_rest() {

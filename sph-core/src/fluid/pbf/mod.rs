@@ -194,8 +194,7 @@ impl<T: Compact, C, I: Index, const D: usize, const CAP: usize, const CELLS: usi
         for particle in self.particles.iter_mut().take(len) {
             let change = impulse(particle);
             let velocity = particle.velocity.unpack();
-            let after =
-                |axis: usize| (velocity[axis] + clamp_to_near(change[axis], (1, 1))).clamp_abs(T::Near::ONE);
+            let after = |axis: usize| (velocity[axis] + clamp_to_unit(change[axis])).clamp_abs(T::Near::ONE);
             particle.velocity = Pack::pack(core::array::from_fn(after));
         }
     }
@@ -267,6 +266,12 @@ fn ratio<N: Arithmetic>((numerator, denominator): (i32, i32)) -> N {
 /// Clamps a number to ±`limit` ≤ 1, as its companion; NaN becomes 0.
 #[inline(always)]
 fn clamp_to_near<T: Compact>(value: T, limit: (i32, i32)) -> T::Near {
+    clamp_to_unit(value).clamp_abs(ratio(limit))
+}
+
+/// Clamps a number to ±1, as its companion; NaN becomes 0.
+#[inline(never)]
+fn clamp_to_unit<T: Compact>(value: T) -> T::Near {
     let value = if value > T::ONE {
         T::ONE
     } else if value >= -T::ONE {
@@ -276,5 +281,5 @@ fn clamp_to_near<T: Compact>(value: T, limit: (i32, i32)) -> T::Near {
     } else {
         T::ZERO
     };
-    value.near().clamp_abs(ratio(limit))
+    value.near()
 }

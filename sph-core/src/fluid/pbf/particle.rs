@@ -40,14 +40,19 @@ impl<T: Compact, const D: usize> Particle<T, D> {
     /// is taken as −1, which lies in no container.
     pub fn new(position: [T; D], velocity: [T; D]) -> Self {
         let outside = |x: T| !x.is_finite() || x.floor_to_i32().unsigned_abs() > FARTHEST as u32;
-        let position = position.map(|x| if outside(x) { -T::ONE } else { x });
-        let velocity = Pack::pack(velocity.map(|v| super::clamp_to_near(v, (1, 1))));
+        Self::trusted(position.map(|x| if outside(x) { -T::ONE } else { x }), velocity)
+    }
+
+    /// As [`new`](Self::new) without a look at the position, which saves flash: for one that a container was seen to contain. Another
+    /// gives wrong numbers; nothing panics.
+    pub fn trusted(position: [T; D], velocity: [T; D]) -> Self {
+        let velocity = Pack::pack(velocity.map(super::clamp_to_unit));
         Self { place: position.map(T::near), velocity, ..Self::AT_ORIGIN }
     }
 
     /// With the pressure that its last frame ended with: position, velocity and pressure are all that a frame hands on.
     pub fn with_pressure(self, pressure: T) -> Self {
-        Self { pressure: super::clamp_to_near(pressure, (1, 1)).store(), ..self }
+        Self { pressure: super::clamp_to_unit(pressure).store(), ..self }
     }
 
     /// Moves it by `way` as far as the container lets it, and adds the way it went to `velocity`.
