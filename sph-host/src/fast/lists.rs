@@ -70,10 +70,23 @@ impl<T: Real, const D: usize> SortedCells<T, D> {
     /// Lists the neighbours of every particle, in memory that is used again.
     pub fn neighbour_lists(&self, lists: &mut NeighbourLists) {
         lists.chunks.resize_with(self.len().div_ceil(CHUNK), Chunk::default);
-        parallel::for_each_with(lists.chunks.iter_mut(), |shared, number, chunk| {
+        parallel::for_each_with(lists.chunks.iter_mut(), |scratch, number, chunk| {
             let particles = number * CHUNK..self.len().min((number + 1) * CHUNK);
-            T::dispatch(self.level, Lists { cells: self, particles, shared, chunk });
+            T::dispatch(self.level, Lists { cells: self, particles, scratch, chunk });
         });
+    }
+}
+
+/// Memory that is used again: what is in reach of a group, and the lists of its particles one after the other.
+#[derive(Clone, Debug)]
+struct Scratch<T, const D: usize> {
+    shared: SharedNeighbourhood<T, D>,
+    places: Vec<u32>,
+}
+
+impl<T, const D: usize> Default for Scratch<T, D> {
+    fn default() -> Self {
+        Self { shared: SharedNeighbourhood::default(), places: Vec::new() }
     }
 }
 
@@ -81,7 +94,7 @@ impl<T: Real, const D: usize> SortedCells<T, D> {
 struct Lists<'a, T, const D: usize> {
     cells: &'a SortedCells<T, D>,
     particles: Range<usize>,
-    shared: &'a mut SharedNeighbourhood<T, D>,
+    scratch: &'a mut Scratch<T, D>,
     chunk: &'a mut Chunk,
 }
 
@@ -90,18 +103,20 @@ impl<T: Real, const D: usize> Job<T> for Lists<'_, T, D> {
 
     #[inline(always)]
     fn run<I: Isa<T>>(self, isa: I) {
-        let Self { cells, particles, shared, chunk: Chunk { ends, places: out } } = self;
+        let Self { cells, particles, scratch: Scratch { shared, places: packed }, chunk } = self;
         let limit = I::Reg::splat(cells.radius * cells.radius);
         let width = I::Reg::WIDTH;
-        ends.clear();
-        let (mut rest, mut end) = (particles, 0);
+        chunk.ends.clear();
+        chunk.places.clear();
+        let mut rest = particles;
         while !rest.is_empty() {
             let group = SharedNeighbourhood::group(cells, &rest);
             shared.gather(isa, cells, group.clone(), 0);
             let (axes, places) = shared.padded();
-            reserve(out, end + group.len() * places.len() + BLOCK);
-            let out = &mut out[..];
+            reserve(packed, group.len() * places.len() + BLOCK);
+            let out = &mut packed[..];
             let last_store = last_store(out.len(), width);
+            let mut end = 0;
             for place in group.clone() {
                 let x: [I::Reg; D] = I::splat_vector(&cells.sorted.position(place));
                 for (number, places) in places.chunks_exact(width).enumerate() {
@@ -116,8 +131,10 @@ impl<T: Real, const D: usize> Job<T> for Lists<'_, T, D> {
                     isa.pack_places(mask, places, &mut out[end..][..width]);
                     end += mask.count_ones() as usize;
                 }
-                ends.push(end);
+                chunk.ends.push(chunk.places.len() + end);
             }
+            // appended, so that memory that was never used is not set to zero first
+            chunk.places.extend_from_slice(&packed[..end]);
             rest.start = group.end;
         }
     }
