@@ -3,6 +3,7 @@
 use anyhow::{Result, bail, ensure};
 use serde_json::Value;
 use std::collections::BTreeSet;
+use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::PathBuf;
 use std::process::Stdio;
 
@@ -18,7 +19,9 @@ pub(crate) fn drop_what_does_not_compile(
     changes: &mut Vec<Change>,
 ) -> Result<BTreeSet<u32>> {
     let count = changes.len();
-    let mut dropped = BTreeSet::new();
+    let memory = Memory::of(workspace, changes);
+    let mut dropped = memory.refused();
+    changes.retain(|change| !dropped.contains(&change.number));
     for round in 0..ROUNDS {
         workspace.write(changes, count)?;
         let mut cargo = workspace.cargo();
@@ -32,6 +35,7 @@ pub(crate) fn drop_what_does_not_compile(
         ]);
         let output = cargo.stderr(Stdio::null()).output()?;
         if output.status.success() {
+            memory.keep(&dropped)?;
             return Ok(dropped);
         }
         let mut refused = BTreeSet::new();
@@ -51,6 +55,32 @@ pub(crate) fn drop_what_does_not_compile(
         dropped.extend(refused);
     }
     bail!("the copy does not compile after {ROUNDS} rounds")
+}
+
+/// What was refused the last time that all changes were the same: files that are written once more would all be built once more.
+struct Memory {
+    file: PathBuf,
+    fingerprint: String,
+}
+
+impl Memory {
+    fn of(workspace: &Workspace, changes: &[Change]) -> Self {
+        let mut hasher = DefaultHasher::new();
+        changes.iter().for_each(|change| (change.number, change.name(), &change.range).hash(&mut hasher));
+        let file = workspace.copy.with_extension("refused");
+        Self { file, fingerprint: format!("{:016x}", hasher.finish()) }
+    }
+
+    fn refused(&self) -> BTreeSet<u32> {
+        let text = std::fs::read_to_string(&self.file).unwrap_or_default();
+        let numbers = text.strip_prefix(&self.fingerprint).unwrap_or_default();
+        numbers.lines().filter_map(|line| line.parse().ok()).collect()
+    }
+
+    fn keep(&self, refused: &BTreeSet<u32>) -> Result<()> {
+        let numbers: String = refused.iter().map(|number| format!("\n{number}")).collect();
+        Ok(std::fs::write(&self.file, format!("{}{numbers}", self.fingerprint))?)
+    }
 }
 
 /// The changes that an error points at: in what they put in, or else all of its line.
@@ -104,6 +134,7 @@ pub(crate) fn tests(workspace: &Workspace) -> Result<Vec<PathBuf>> {
         "--lib",
         "--tests",
     ]);
+    cargo.args(workspace.subject.tested.iter().flat_map(|package| ["-p", package]));
     let output = cargo.stderr(Stdio::inherit()).output()?;
     ensure!(output.status.success(), "the tests of the copy do not compile: {}", workspace.copy.display());
     let mut programs = Vec::new();

@@ -66,17 +66,20 @@ pub(crate) fn watch(workspace: &Workspace, programs: &[PathBuf]) -> Result<Vec<T
     Ok(tests)
 }
 
-/// A test whose promise is a panic cannot be told from one that fails: it is left out.
+/// Processor time of a test at most, in seconds: one that takes longer is left out, since each change would cost as much.
+const LONGEST: u64 = 12;
+
+/// A test whose promise is a panic cannot be told from one that fails: it is left out, and so is a long one.
 fn watch_one(workspace: &Workspace, program: &Path, name: &str, i: usize) -> Result<Option<Test>> {
     let seen = workspace.copy.join(format!("../reached-{i}"));
     let _ = fs::remove_file(&seen);
     let start = Instant::now();
-    let mut command = Command::new(program);
+    let mut command = limited(LONGEST, program);
     command.current_dir(folder(workspace, program)).args(["--exact", name, "--test-threads=1"]);
     let output = command.env("FLUISIM_REACHED", &seen).env("PROPTEST_RNG_SEED", "1").output()?;
     let time = start.elapsed();
     if !output.status.success() {
-        println!("left out, it does not pass here: {name}");
+        println!("left out, it does not pass here in {LONGEST} s: {name}");
         return Ok(None);
     }
     let text = fs::read_to_string(&seen).unwrap_or_default();
@@ -151,9 +154,8 @@ fn outcome(workspace: &Workspace, tests: &[&Test], number: u32) -> Result<Outcom
 fn together(folder: &Path, program: &Path, tests: &[&Test], number: u32) -> Result<Outcome> {
     let time: Duration = tests.iter().map(|test| test.time).sum();
     let limit = 2 + (8.0 * time.as_secs_f64()).ceil() as u64;
-    let mut command = Command::new("bash");
-    command.args(["-c", "ulimit -t $0; ulimit -v 8000000; ulimit -c 0; exec \"$@\"", &limit.to_string()]);
-    command.arg(program).current_dir(folder).arg("--exact").args(tests.iter().map(|test| &test.name));
+    let mut command = limited(limit, program);
+    command.current_dir(folder).arg("--exact").args(tests.iter().map(|test| &test.name));
     command.arg("--test-threads=1").env("FLUISIM_MUTANT", number.to_string()).env("PROPTEST_RNG_SEED", "1");
     let status = command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null()).status();
     let status = status.with_context(|| program.display().to_string())?;
@@ -165,6 +167,14 @@ fn together(folder: &Path, program: &Path, tests: &[&Test], number: u32) -> Resu
             _ => Outcome::Killed,
         },
     })
+}
+
+/// A program that ends after so many seconds of processor time, or with 8 GB.
+fn limited(seconds: u64, program: &Path) -> Command {
+    let mut command = Command::new("bash");
+    command.args(["-c", "ulimit -t $0; ulimit -v 8000000; ulimit -c 0; exec \"$@\"", &seconds.to_string()]);
+    command.arg(program);
+    command
 }
 
 /// Does something for each index, in as many threads as there are processors.
