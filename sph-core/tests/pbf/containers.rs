@@ -1,8 +1,8 @@
 //! Containers that no particle can be kept in are refused, and take none where they were made without a check.
 
-use sph_core::Error;
-use sph_core::fluid::{Container, Disc, Mask, OpenBox, Particle, PositionBasedFluid};
-use sph_core::scalar::compact::Compact;
+use sph_core::fluid::{Container, Disc, Mask, OpenBox, Particle, PositionBasedFluid, Wall};
+use sph_core::scalar::compact::{Compact, NearUnit};
+use sph_core::{Error, Parameter};
 
 use crate::measure::at;
 
@@ -77,6 +77,55 @@ fn a_disc_puts_back_what_would_leave() {
     a_disc_puts_back::<f64>();
 }
 
+/// A disc's wall is a plane at the distance to the rim, towards the centre, and none beyond h.
+fn the_wall_of_a_disc_is_a_plane_at_its_rim<T: Compact>() {
+    let disc = Disc::new(T::from_f64(4.0));
+    let wall = |x: [f64; 2]| disc.wall(&x.map(|along| T::from_f64(along).near()));
+    for x in [[4.0, 4.0], [4.5, 3.0], [4.0, 1.0 + 1.0 / 64.0], [2.5, 5.5]] {
+        assert_eq!(wall(x), None, "{x:?} is more than h from the rim");
+    }
+    let diagonal = 4.0 - 3.5 * core::f64::consts::FRAC_1_SQRT_2;
+    for (x, d, normal) in [
+        ([0.5, 4.0], 0.5, [1.0, 0.0]),
+        ([4.0, 7.25], 0.75, [0.0, -1.0]),
+        ([8.0, 4.0], 0.0, [-1.0, 0.0]),
+        ([diagonal, diagonal], 0.5, [core::f64::consts::FRAC_1_SQRT_2; 2]),
+    ] {
+        let expected = Wall::plane(d, normal).unwrap();
+        let found = wall(x).unwrap();
+        assert!((found.share.to_f64() - expected.share).abs() < 1e-3, "{x:?}: {found:?}");
+        for axis in 0..2 {
+            assert!((found.push[axis].to_f64() - expected.push[axis]).abs() < 2e-3, "{x:?}: {found:?}");
+        }
+    }
+    let [rim, beyond] = [8.0, 8.0 + 1.0 / 64.0].map(T::from_f64);
+    assert!(disc.contains(&[rim, T::from_f64(4.0)]), "the rim belongs to the disc");
+    assert!(!disc.contains(&[beyond, T::from_f64(4.0)]));
+}
+
+#[test]
+fn the_wall_of_a_disc_is_a_plane_at_its_rim_in_floats() {
+    the_wall_of_a_disc_is_a_plane_at_its_rim::<f32>();
+    the_wall_of_a_disc_is_a_plane_at_its_rim::<f64>();
+}
+
+#[test]
+fn errors_of_a_disc_and_a_mask_say_what_was_needed() {
+    let axis = Parameter::Axis;
+    assert_eq!(Disc::try_new(f32::NAN), Err(Error::NotFinite { parameter: axis, index: 0 }));
+    assert_eq!(Disc::try_new(-1.0_f32), Err(Error::NotPositive { parameter: axis, index: 0 }));
+    let mask = |bits: &'static [u8], width, pixel: f32| Mask::new(bits, width, pixel).err();
+    let cells = Parameter::Cells;
+    assert_eq!(mask(&[0xff; 2], 8, 0.5), None);
+    assert_eq!(mask(&[0xff; 2], 8, 0.49), Some(Error::NotRepresentable { parameter: axis }));
+    assert_eq!(mask(&[0xff; 2], 8, 0.0), Some(Error::NotPositive { parameter: axis, index: 0 }));
+    assert_eq!(mask(&[0xff; 2], 0, 1.0), Some(Error::NotPositive { parameter: cells, index: 0 }));
+    assert_eq!(mask(&[], 8, 1.0), Some(Error::NotPositive { parameter: cells, index: 1 }));
+    assert_eq!(mask(&[0xff; 255], 8, 1.0), None);
+    let tall = Error::CapacityExceeded { parameter: cells, capacity: 255, needed: 256 };
+    assert_eq!(mask(&[0xff; 256], 8, 1.0), Some(tall));
+}
+
 #[test]
 fn an_impulse_is_added_to_every_velocity_and_held_at_one() {
     let mut fluid = PositionBasedFluid::<f64, _, 2, 4, 25>::new(OpenBox::new([4.0, 4.0]));
@@ -96,7 +145,6 @@ fn an_impulse_is_added_to_every_velocity_and_held_at_one() {
 mod fixed_point {
     use super::*;
     use sph_core::Scalar;
-    use sph_core::scalar::compact::NearUnit;
     use sph_core::scalar::fixed::{I8F24, I16F16, Saturating, Wrapping};
 
     #[test]
@@ -109,6 +157,12 @@ mod fixed_point {
     fn a_disc_puts_back_what_would_leave() {
         super::a_disc_puts_back::<Saturating<I16F16>>();
         super::a_disc_puts_back::<Saturating<I8F24>>();
+    }
+
+    #[test]
+    fn the_wall_of_a_disc_is_a_plane_at_its_rim() {
+        super::the_wall_of_a_disc_is_a_plane_at_its_rim::<Saturating<I16F16>>();
+        super::the_wall_of_a_disc_is_a_plane_at_its_rim::<Saturating<I8F24>>();
     }
 
     #[test]
