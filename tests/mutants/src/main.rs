@@ -91,7 +91,7 @@ fn measure(name: &str, letters: Option<&str>) -> Result<bool> {
         if matches!(outcome, Outcome::Survived | Outcome::NotReached) {
             println!("{outcome:?}, line {}: {}", changes[number as usize - 1].line, name_of(number));
         }
-        if done % 100 == 0 {
+        if done.is_multiple_of(100) {
             println!("{done} of {}; {} s", numbers.len(), start.elapsed().as_secs());
         }
     })?;
