@@ -67,7 +67,7 @@ pub(crate) fn watch(workspace: &Workspace, programs: &[PathBuf]) -> Result<Vec<T
 }
 
 /// Processor time of a test at most, in seconds: one that takes longer is left out, since each change would cost as much.
-const LONGEST: u64 = 12;
+const LONGEST: u64 = 3;
 
 /// A test whose promise is a panic cannot be told from one that fails: it is left out, and so is a long one.
 fn watch_one(workspace: &Workspace, program: &Path, name: &str, i: usize) -> Result<Option<Test>> {
@@ -153,7 +153,7 @@ fn outcome(workspace: &Workspace, tests: &[&Test], number: u32) -> Result<Outcom
 /// Tests of one program with one change. Processor time is limited, not time: other work on the machine does not matter.
 fn together(folder: &Path, program: &Path, tests: &[&Test], number: u32) -> Result<Outcome> {
     let time: Duration = tests.iter().map(|test| test.time).sum();
-    let limit = 2 + (8.0 * time.as_secs_f64()).ceil() as u64;
+    let limit = 2 + (4.0 * time.as_secs_f64()).ceil() as u64;
     let mut command = limited(limit, program);
     command.current_dir(folder).arg("--exact").args(tests.iter().map(|test| &test.name));
     command.arg("--test-threads=1").env("FLUISIM_MUTANT", number.to_string()).env("PROPTEST_RNG_SEED", "1");
