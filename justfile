@@ -14,6 +14,15 @@ bench side="100" threads="1":
 count *update:
     cargo bench -p sph-host --bench count -- {{update}}
 
+# Which changes of sph-core's arithmetic no test notices; letters choose some: just mutants core disc.rs
+mutants subject="core" *letters:
+    cargo run --manifest-path tests/mutants/Cargo.toml -- {{subject}} {{letters}}
+
+# The C interface, where the `unsafe` is, under Miri as a 32-bit processor runs it; needs the nightly toolchain
+miri:
+    rustup component add --toolchain nightly miri rust-src
+    cargo +nightly miri test --target arm-unknown-linux-gnueabi -p fluisim-c --test fields --test same_bits
+
 # The C library as packages for Arduino, CMake and ESP-IDF: zips in tests/on-target/target/c/packages
 pack:
     tests/on-target/run --pack

@@ -97,6 +97,15 @@ pub fn relative_step<T: Scalar>(n: u32) -> T {
 mod tests {
     use super::*;
 
+    #[test]
+    fn a_step_grows_with_x_beyond_one() {
+        for n in [1, 2, 5] {
+            let step = relative_step::<f64>(n);
+            let steps = [0.0, 0.25, 1.0, 8.0, -8.0].map(|x| step_for(n, x));
+            assert_eq!(steps, [step, step, step, 8.0 * step, 8.0 * step]);
+        }
+    }
+
     /// Degree ≤ n + 1 leaves nothing to the truncation error, at any step.
     #[test]
     fn is_exact_on_polynomials_of_degree_n_plus_one() {

@@ -9,7 +9,11 @@ use sph_core::{Arithmetic, Scalar};
 
 const CAPACITY: u16 = 64;
 const CELLS: usize = 1024;
-const FRAMES: i32 = 400;
+/// Few for Miri, which interprets, and of few particles.
+const FRAMES: i32 = if cfg!(miri) { 3 } else { 400 };
+const PARTICLES: i32 = if cfg!(miri) { 8 } else { 30 };
+/// Of a hundred frames the one before which a particle is removed.
+const REMOVED_IN: i32 = if cfg!(miri) { 1 } else { 50 };
 
 /// Bits of a badge: two chambers and a door, pixels of side 2.
 const BITS: [u8; 5] = [0b1110_1110, 0b1110_1110, 0b1111_1110, 0b1110_1110, 0b1110_1110];
@@ -48,7 +52,7 @@ macro_rules! scene {
             let bytes = 8 * memory.len();
             let made = $c::$init(memory.as_mut_ptr().cast(), bytes, CAPACITY, $($argument,)+ &raw mut fluid);
             assert_eq!(made, code::OK);
-            for k in 0..30 {
+            for k in 0..PARTICLES {
                 let position = place::<$T, $D>(k);
                 let velocity = [<$T>::ratio(k % 7 - 3, 200); $D];
                 rust.add(Particle::new(position, velocity)).unwrap();
@@ -56,7 +60,7 @@ macro_rules! scene {
             }
             for frame in 0..FRAMES {
                 let acceleration = acceleration::<$T, $D>(frame);
-                if frame % 100 == 50 {
+                if frame % 100 == REMOVED_IN {
                     rust.remove(3).unwrap();
                     assert_eq!($c::remove(fluid, 3), code::OK);
                 }

@@ -244,6 +244,8 @@ mod tests {
         assert_eq!(b.positive_part().canonical_bits(), 0);
         assert_eq!((b.floor_to_i32(), a.times(20).0, Fast32::ratio(1, 3).0), (-1, 55.0, 1.0 / 3.0));
         assert!(!(a / Fast32::default()).is_finite());
+        assert_eq!(a.canonical_bits(), u64::from(2.75_f32.to_bits()));
+        assert_eq!(Fast32(-0.0).canonical_bits(), 0);
         assert_eq!(f32::from(Fast32::from_f64(0.1)), 0.1);
     }
 

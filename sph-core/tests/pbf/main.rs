@@ -1,5 +1,6 @@
 //! The physics of the position-based fluid: it collapses and rests, keeps its volume and its momentum, and survives anything.
 
+mod bounds;
 mod containers;
 mod escape;
 mod measure;

@@ -2,6 +2,7 @@
 
 use super::error::{Problem, ReadError};
 use super::read::{self, Format, Pieces, Takes};
+use super::steady::Steady;
 use super::table::PointTable;
 use std::fs::File;
 use std::io::{self, Read, Write};
@@ -176,7 +177,7 @@ fn copy(
     is_packed: bool,
     write: &mut impl FnMut(&[u8]) -> Result<(), Problem>,
 ) -> Result<(), Problem> {
-    let mut counted = Counted { input, bytes: 0 };
+    let mut counted = Counted { input: Steady(input), bytes: 0 };
     let mut buffer = vec![0; 1 << 16];
     if !is_packed {
         loop {

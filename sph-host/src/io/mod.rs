@@ -48,6 +48,7 @@ mod quantity;
 mod read;
 mod rows;
 mod series;
+mod steady;
 mod table;
 
 pub use error::ReadError;

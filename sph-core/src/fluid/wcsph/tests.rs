@@ -194,6 +194,24 @@ fn two_particles_obey_the_closed_forms() {
     assert!(diffused < 0.0, "the denser becomes less dense");
 }
 
+/// A particle at 0 with a wall particle at 0.1: dρ/dt of the first, which moves along x, and whose pressure is given.
+fn beside_a_wall(velocity: f64, pressure: f64) -> f64 {
+    let positions = [[0.0, 0.0], [0.1, 0.0]];
+    let seen = [Seen::new(0.01, [velocity, 0.0], 1.0, pressure), Seen::new(0.01, [0.0; 2], 1.0, 0.0)];
+    let state = ParticleStates { fluid: 1, seen: &seen };
+    scheme().density_rate(&BruteForce::new(&positions).unwrap(), &state, 0).unwrap()
+}
+
+#[test]
+fn a_wall_thins_what_leaves_it_only_where_it_pushes() {
+    let gradient = scheme::<f64>().influence.gradient_at(&[-0.1, 0.0])[0];
+    for pressure in [-1.0, 0.0, 1.0] {
+        near(beside_a_wall(3.0, pressure), 0.01 * 3.0 * gradient);
+    }
+    near(beside_a_wall(-3.0, 1.0), -0.01 * 3.0 * gradient);
+    assert_eq!((beside_a_wall(-3.0, 0.0), beside_a_wall(-3.0, -1.0)), (0.0, 0.0));
+}
+
 #[test]
 fn walls_extrapolate_a_linear_pressure_and_push_only() {
     let mut scheme = scheme::<f64>();

@@ -7,17 +7,16 @@
 //! under the header, a header behind `#`.
 
 use super::budget::Budget;
-use super::open;
 use super::pieces::Source;
 use super::records::Records;
+use super::{Buffered, open};
 use crate::io::InputFile;
 use crate::io::error::{Parsed, Problem, counted, shown};
 use crate::io::names::check_names;
 use crate::io::numbers;
 use crate::io::rows::Rows;
 use crate::io::table::{Array, Fault, PointTable};
-use std::fs::File;
-use std::io::{BufRead, BufReader};
+use std::io::BufRead;
 
 /// A column while it is read.
 struct Column {
@@ -49,7 +48,7 @@ pub(super) fn read<const DELIMITER: u8>(file: &InputFile) -> Parsed<PointTable> 
 
 /// Opens such a table to be read some rows at a time.
 pub(super) fn pieces<const DELIMITER: u8>(file: &InputFile) -> Parsed<Box<dyn Source>> {
-    Ok(Box::new(Text::<BufReader<File>>::open(open(&file.path, b"")?, DELIMITER, file)?))
+    Ok(Box::new(Text::<Buffered>::open(open(&file.path, b"")?, DELIMITER, file)?))
 }
 
 impl<R: BufRead> Text<R> {

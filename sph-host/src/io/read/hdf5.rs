@@ -21,6 +21,7 @@ use crate::io::error::{Parsed, Problem};
 use crate::io::names::{MASS, OF_SNAPSHOTS};
 use crate::io::position::{Coordinates, Place};
 use crate::io::rows::Rows;
+use crate::io::steady::Steady;
 use crate::io::table::{Array, PointTable, Unusable};
 use hdf5_pure::{Error, File, FormatError, ReadSeekSource, Source};
 use std::fs;
@@ -77,7 +78,7 @@ struct Opened {
 
 /// A file of which so many bytes more are read.
 struct Limited {
-    whole: ReadSeekSource<fs::File>,
+    whole: ReadSeekSource<Steady<fs::File>>,
     left: AtomicU64,
 }
 

@@ -37,6 +37,7 @@ mod xz;
 use super::error::{Parsed, Problem, ReadError, shown};
 use super::input_file::InputFile;
 use super::rows::Rows;
+use super::steady::Steady;
 use super::table::{Array, PointTable};
 pub use pieces::Pieces;
 use pieces::Source;
@@ -182,10 +183,13 @@ pub(super) fn refuse_special(path: &Path, may_be_pipe: bool, expected: &'static 
     Ok(())
 }
 
+/// A file behind a buffer.
+type Buffered = BufReader<Steady<File>>;
+
 /// The file behind a buffer, of which there is at least one byte. `own` are the first bytes of the format, if it has such.
-fn open(path: &Path, own: &[u8]) -> Parsed<BufReader<File>> {
+fn open(path: &Path, own: &[u8]) -> Parsed<Buffered> {
     refuse_special(path, true, "a file is expected")?;
-    let mut input = BufReader::with_capacity(1 << 18, File::open(path)?);
+    let mut input = BufReader::with_capacity(1 << 18, Steady(File::open(path)?));
     let start = input.fill_buf()?;
     if start.is_empty() {
         return Err(Problem::new("the file is empty"));

@@ -2,15 +2,14 @@
 
 use super::budget::{Budget, MOST_PACKED, refuse_many, refuse_wide};
 use super::npy::Header;
-use super::{open, refuse_special};
+use super::{Buffered, open, refuse_special};
 use crate::io::InputFile;
 use crate::io::error::{Parsed, Problem, counted};
 use crate::io::names::{DENSITY, MASS, fill_empty_names, without_unit};
 use crate::io::position::{self, Place};
 use crate::io::rows::Rows;
 use crate::io::table::{Array, PointTable, Unusable};
-use std::fs::File;
-use std::io::{BufReader, Read, Seek};
+use std::io::{Read, Seek};
 use std::path::Path;
 use zip::ZipArchive;
 
@@ -36,7 +35,7 @@ pub(super) fn read(file: &InputFile) -> Parsed<PointTable> {
 }
 
 /// Opens the archive, which has to be a regular file, with the budget of its size.
-pub(super) fn open_archive(path: &Path) -> Parsed<(ZipArchive<BufReader<File>>, Budget)> {
+pub(super) fn open_archive(path: &Path) -> Parsed<(ZipArchive<Buffered>, Budget)> {
     refuse_special(
         path,
         false,

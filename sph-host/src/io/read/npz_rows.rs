@@ -1,5 +1,6 @@
 //! Archives of NumPy arrays, some rows at a time: every array has a reader of its own.
 
+use super::Buffered;
 use super::budget::Budget;
 use super::npy::Header;
 use super::npz::{self, Member, array_name, damaged, is_single, open_archive, unfit};
@@ -9,6 +10,7 @@ use crate::io::error::{Parsed, Problem};
 use crate::io::names::fill_empty_names;
 use crate::io::numbers::{Endian, Stored};
 use crate::io::position::Place;
+use crate::io::steady::Steady;
 use crate::io::table::{PointTable, Unusable};
 use flate2::{CrcReader, read::DeflateDecoder};
 use std::fs::File;
@@ -88,13 +90,13 @@ impl Source for Archive {
 
 impl Rows {
     /// Opens the array with this number, `None` if the member is no array.
-    fn open(path: &Path, archive: &mut ZipArchive<BufReader<File>>, index: usize) -> Parsed<Option<Self>> {
+    fn open(path: &Path, archive: &mut ZipArchive<Buffered>, index: usize) -> Parsed<Option<Self>> {
         let unreadable = |error: String| Problem::new(format!("member {index} of the archive: {error}"));
         let file = archive.by_index(index).map_err(|error| unreadable(error.to_string()))?;
         let name = file.name().map_err(|error| unreadable(error.to_string()))?;
         let Some(name) = array_name(&name) else { return Ok(None) };
         let start = file.data_start().ok_or_else(|| unreadable("it is not said where it is".to_owned()))?;
-        let mut packed = File::open(path)?;
+        let mut packed = Steady(File::open(path)?);
         packed.seek(SeekFrom::Start(start))?;
         let packed = BufReader::with_capacity(1 << 16, packed.take(file.compressed_size()));
         let bytes: Box<dyn Read> = match file.compression() {
