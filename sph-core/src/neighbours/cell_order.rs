@@ -127,7 +127,7 @@ impl<'a, I: Index, const D: usize> CellOrder<'a, I, D> {
             let this = *particle;
             let behind = row.len();
             let mut sums = empty;
-            reach::visit::<P, { reach::COUNTS_ZEROS }>(mask(&this), row, beyond, |other| {
+            reach::visit(mask(&this), row, beyond, |other| {
                 if let Some(found) = near(&this, other) {
                     pair(&this, &mut sums, other, found);
                 }

@@ -36,6 +36,14 @@ impl<const D: usize> Packed14<D> {
     }
 }
 
+impl<const D: usize> Packed14<D> {
+    /// In a function of its own: few vectors need it.
+    #[inline(never)]
+    fn each_clamped(self, limit: Near14) -> Self {
+        Self::pack(self.unpack().map(|component| component.clamp_abs(limit)))
+    }
+}
+
 impl<const D: usize> Pack<Near14, D> for Packed14<D> {
     const ZERO: Self = Self([0; D]);
 
@@ -84,7 +92,7 @@ impl<const D: usize> Pack<Near14, D> for Packed14<D> {
                 return self;
             }
         }
-        Self::pack(self.unpack().map(|component| component.clamp_abs(limit)))
+        self.each_clamped(limit)
     }
 }
 
