@@ -4,8 +4,9 @@
 //! particles need no list of indices: cell c holds those from `starts[c]` to `starts[c + 1]`, and a row of cells along the first
 //! axis is one run.
 
-use super::Index;
+use super::{Index, reach};
 use crate::{Error, Parameter};
+use core::ops::Range;
 
 /// Where each cell's particles start, in borrowed memory, in at most three dimensions.
 #[derive(Debug)]
@@ -14,17 +15,7 @@ pub struct CellOrder<'a, I, const D: usize> {
     starts: &'a mut [I],
 }
 
-/// Runs ahead of a particle in three dimensions: the rest of its row and the next, and three rows of the next layer.
-const MOST_RUNS: usize = 5;
-
 impl<'a, I: Index, const D: usize> CellOrder<'a, I, D> {
-    const RUNS: usize = match D {
-        1 => 1,
-        2 => 2,
-        3 => MOST_RUNS,
-        _ => panic!("one, two or three dimensions"),
-    };
-
     /// `counts` cells along the axes, of which nothing is known before [`sort`](Self::sort); an element of the slice for each.
     ///
     /// # Errors
@@ -89,8 +80,8 @@ impl<'a, I: Index, const D: usize> CellOrder<'a, I, D> {
     /// Visits the particles in order: sums that are `empty`, every particle ahead in touching cells, then `finish`.
     ///
     /// `near` says whether two are in reach, and what of, which `pair` then receives. When `finish` is called for a particle, all
-    /// its pairs have been visited: those with particles before it by them. It receives a mask for [`revisit`](Self::revisit), bit k for
-    /// the k-th particle ahead, all bits where there are more than 31.
+    /// its pairs have been visited: those with particles before it by them. It receives a mask for [`revisit`](Self::revisit), bit k
+    /// for the k-th particle ahead, all bits where there are more than 31.
     #[inline(always)]
     pub fn sweep<P: Copy, A: Copy, X>(
         &self,
@@ -98,12 +89,12 @@ impl<'a, I: Index, const D: usize> CellOrder<'a, I, D> {
         empty: A,
         near: impl Fn(&P, &P) -> Option<X>,
         pair: impl Fn(&P, &mut A, &mut P, X),
-        finish: impl Fn(&mut P, A, i32),
+        finish: impl Fn(&mut P, A, u32),
     ) {
         self.each(particles, |particle, row, beyond| {
             let this = *particle;
             let mut sums = empty;
-            let (mut reach, mut bit) = (0_i32, 1_i32);
+            let (mut reach, mut bit) = (0_u32, 1_u32);
             let (mut run, mut later) = (row, beyond.iter_mut());
             loop {
                 for other in run.iter_mut() {
@@ -111,87 +102,77 @@ impl<'a, I: Index, const D: usize> CellOrder<'a, I, D> {
                         reach |= bit;
                         pair(&this, &mut sums, other, found);
                     }
-                    bit = bit.wrapping_shl(1);
+                    bit <<= 1;
                 }
                 let Some(next) = later.next() else { break };
                 run = next;
             }
-            finish(particle, sums, if bit == 0 { -1 } else { reach });
+            finish(particle, sums, if bit == 0 { u32::MAX } else { reach });
         });
     }
 
-    /// As [`sweep`](Self::sweep), in the same order, over the pairs that `reach` has a bit for and that are still near.
+    /// As [`sweep`](Self::sweep), in the same order, over the pairs that `mask` has a bit for and that are still near.
+    /// `finish` receives how many particles of the row are behind this one, too.
     #[inline(always)]
     pub fn revisit<P: Copy, A: Copy, X>(
         &self,
         particles: &mut [P],
         empty: A,
-        reach: impl Fn(&P) -> i32,
+        mask: impl Fn(&P) -> u32,
         near: impl Fn(&P, &P) -> Option<X>,
         pair: impl Fn(&P, &mut A, &mut P, X),
-        mut finish: impl FnMut(&mut P, A),
+        finish: impl Fn(&mut P, A, usize),
     ) {
         self.each(particles, |particle, row, beyond| {
             let this = *particle;
-            let (mut sums, mut reach) = (empty, reach(&this));
-            let (mut run, mut later) = (row, beyond.iter_mut());
-            'all: loop {
-                for other in run.iter_mut() {
-                    let visit = reach & 1 != 0;
-                    reach >>= 1; // an arithmetic shift: all bits stay all bits
-                    if visit {
-                        if let Some(found) = near(&this, other) {
-                            pair(&this, &mut sums, other, found);
-                        }
-                        if reach == 0 {
-                            break 'all;
-                        }
-                    }
+            let behind = row.len();
+            let mut sums = empty;
+            reach::visit(mask(&this), row, beyond, |other| {
+                if let Some(found) = near(&this, other) {
+                    pair(&this, &mut sums, other, found);
                 }
-                let Some(next) = later.next() else { break };
-                run = next;
-            }
-            finish(particle, sums);
+            });
+            finish(particle, sums, behind);
         });
     }
 
-    /// Each particle with those ahead of it in reach: behind it in its row, and the runs beyond the row, none of them empty.
+    /// Each particle with those ahead of it in reach: behind it in its row, and the runs beyond the row.
     #[inline(always)]
     fn each<P>(&self, particles: &mut [P], mut visit: impl FnMut(&mut P, &mut [P], &mut [&mut [P]])) {
         let (total, width) = (particles.len(), self.counts[0]);
-        let (mut at, mut first, mut start) = ([0; D], 0_usize, 0);
+        let (mut at, mut first, mut start) = ([0; D], 0_usize, 0_usize);
         while first < self.starts.len() {
             let next = first.wrapping_add(width);
             let cells = if self.start(next, total) > start { first..next } else { next..next };
             for cell in cells {
                 let end = self.start(cell.wrapping_add(1), total);
                 if start < end {
-                    at[0] = cell.wrapping_sub(first);
-                    let runs = self.ahead(&at, cell, total);
-                    let mut gone = runs[0].1;
-                    let Some((here, mut rest)) = particles.split_at_mut_checked(gone) else { return };
-                    let mut line = here.get_mut(start..).unwrap_or_default();
-                    let mut beyond: [&mut [P]; MOST_RUNS - 1] = Default::default();
-                    let mut count = 0;
-                    for (from, to) in runs.into_iter().take(Self::RUNS).skip(1) {
-                        if from < to
-                            && let Some(slot) = beyond.get_mut(count)
-                        {
-                            let Some((run, behind)) = rest.split_at_mut_checked(to.wrapping_sub(gone)) else {
-                                return;
-                            };
-                            *slot = run.get_mut(from.wrapping_sub(gone)..).unwrap_or_default();
-                            (rest, gone) = (behind, to);
-                            count += 1;
-                        }
-                    }
-                    let beyond = beyond.get_mut(..count).unwrap_or_default();
-                    let later = line.len().wrapping_sub(end.wrapping_sub(start));
-                    while line.len() > later
-                        && let Some((particle, ahead)) = core::mem::take(&mut line).split_first_mut()
-                    {
-                        visit(particle, ahead, beyond);
-                        line = ahead;
+                    let columns =
+                        (cell.max(first.wrapping_add(1)).wrapping_sub(1), cell.wrapping_add(2).min(next));
+                    let count = end.wrapping_sub(start);
+                    let row = start..self.start(columns.1, total);
+                    let run = |offset: usize| {
+                        let start = |cell: usize| self.start(cell.wrapping_add(offset), total);
+                        start(columns.0)..start(columns.1)
+                    };
+                    if D == 1 {
+                        let Some(row) = particles.get_mut(row) else { return };
+                        visit_each(row, count, &mut [], &mut visit);
+                    } else if D == 2 {
+                        let Ok([row, beyond]) = particles.get_disjoint_mut([row, run(width)]) else { return };
+                        let some = usize::from(!beyond.is_empty());
+                        visit_each(
+                            row,
+                            count,
+                            [beyond, &mut []].get_mut(..some).unwrap_or_default(),
+                            &mut visit,
+                        );
+                    } else {
+                        let [beyond, below, level, above] = self.far_runs(&at, run);
+                        let runs = [row, beyond, below, level, above];
+                        let Ok([row, beyond @ ..]) = particles.get_disjoint_mut(runs) else { return };
+                        let mut beyond: [&mut [P]; 4] = beyond;
+                        visit_each(row, count, &mut beyond, &mut visit);
                     }
                 }
                 start = end;
@@ -201,36 +182,18 @@ impl<'a, I: Index, const D: usize> CellOrder<'a, I, D> {
         }
     }
 
-    /// The runs in reach that lie ahead of the cell with these coordinates and this number.
+    /// In three dimensions: the runs of the next row and of three rows of the next layer, where there are such.
     #[inline(always)]
-    fn ahead(&self, at: &[usize; D], cell: usize, total: usize) -> [(usize, usize); MOST_RUNS] {
-        let right = usize::from(at[0].wrapping_add(1) < self.counts[0]).wrapping_add(1);
-        let left = usize::from(at[0] > 0);
-        let start = |cell: usize| self.start(cell, total);
-        let row = |offset: usize| {
-            let middle = cell.wrapping_add(offset);
-            (start(middle.wrapping_sub(left)), start(middle.wrapping_add(right)))
-        };
-        let mut runs = [(0, 0); MOST_RUNS];
-        runs[0] = (start(cell), start(cell.wrapping_add(right)));
-        if D > 1 {
-            let width = self.counts[0];
-            let above = at[1].wrapping_add(1) < self.counts[1];
-            if above {
-                runs[1] = row(width);
-            }
-            if D > 2 && at[2].wrapping_add(1) < self.counts[2] {
-                let layer = width.wrapping_mul(self.counts[1]);
-                if at[1] > 0 {
-                    runs[2] = row(layer.wrapping_sub(width));
-                }
-                runs[3] = row(layer);
-                if above {
-                    runs[4] = row(layer.wrapping_add(width));
-                }
-            }
-        }
-        runs
+    fn far_runs(&self, at: &[usize; D], run: impl Fn(usize) -> Range<usize>) -> [Range<usize>; 4] {
+        let (width, layer) = (self.counts[0], self.counts[0].wrapping_mul(self.counts[1]));
+        let (below, above) = (at[1] > 0, at[1].wrapping_add(1) < self.counts[1]);
+        let if_there = |is_there: bool, offset: usize| if is_there { run(offset) } else { 0..0 };
+        [
+            if_there(above, width),
+            if_there(below, layer.wrapping_sub(width)),
+            run(layer),
+            if_there(above, layer.wrapping_add(width)),
+        ]
     }
 
     /// The number of a cell's first particle of `total`, which is `total` behind the last cell.
@@ -249,6 +212,24 @@ impl<'a, I: Index, const D: usize> CellOrder<'a, I, D> {
             }
             at[axis] = 0;
         }
+    }
+}
+
+/// Visits the first `count` particles of a row, each with those behind it in the row and beyond the row.
+#[inline(always)]
+fn visit_each<P>(
+    row: &mut [P],
+    count: usize,
+    beyond: &mut [&mut [P]],
+    visit: &mut impl FnMut(&mut P, &mut [P], &mut [&mut [P]]),
+) {
+    let later = row.len().wrapping_sub(count);
+    let mut row = row;
+    while row.len() > later
+        && let Some((particle, ahead)) = core::mem::take(&mut row).split_first_mut()
+    {
+        visit(particle, ahead, beyond);
+        row = ahead;
     }
 }
 
@@ -279,9 +260,9 @@ mod tests {
             state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
             (state >> 16) as usize % n
         };
-        let mut particles = [([0_i32; D], 0_usize, 0_usize); 200];
+        let mut particles = [([0_i32; D], 0_usize, 0_usize, 0_u32); 200];
         for (id, particle) in particles.iter_mut().take(points).enumerate() {
-            *particle = (core::array::from_fn(|axis| random(counts[axis]) as i32), id, 0);
+            *particle = (core::array::from_fn(|axis| random(counts[axis]) as i32), id, 0, 0);
         }
         let particles = &mut particles[..points];
         order.clear();
@@ -301,22 +282,36 @@ mod tests {
                 *seen += 1;
                 other.2 += 1;
             },
-            |p, seen, _| p.2 += seen,
+            |p, seen, reach| (p.2, p.3) = (p.2 + seen, reach),
         );
         for p in particles.iter() {
             let touches =
-                |q: &&([i32; D], usize, usize)| (0..D).all(|axis| (p.0[axis] - q.0[axis]).abs() <= 1);
+                |q: &&([i32; D], usize, usize, u32)| (0..D).all(|axis| (p.0[axis] - q.0[axis]).abs() <= 1);
             assert_eq!(p.2 + 1, particles.iter().filter(touches).count(), "{p:?}");
         }
+        order.revisit(
+            particles,
+            0,
+            |p| p.3,
+            |_, _| Some(()),
+            |_, seen, other, ()| {
+                *seen += 1;
+                other.2 -= 1;
+            },
+            |p, seen, _| p.2 -= seen,
+        );
+        assert!(particles.iter().all(|p| p.2 == 0), "visited again: {particles:?}");
     }
 
     #[test]
     fn every_pair_of_touching_cells_is_visited_once() {
         check::<1, 9>([9], 40);
+        check::<1, 2>([2], 200);
         check::<2, 20>([4, 5], 150);
         check::<2, 7>([1, 7], 60);
         check::<3, 64>([4, 3, 5], 200);
         check::<3, 64>([2, 1, 2], 100);
+        check::<2, 4>([2, 2], 150);
         check::<2, 4>([2, 2], 0);
     }
 

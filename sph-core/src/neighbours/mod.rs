@@ -19,6 +19,7 @@ mod cell_order;
 mod index;
 mod inline_grid;
 mod list;
+mod reach;
 
 pub use axis::{Axis, Domain, Open, Space};
 pub use brute_force::BruteForce;

@@ -38,20 +38,21 @@ pub trait Pack<N, const D: usize>: Copy + Debug + Send + Sync + 'static {
     fn plus(self, other: Self) -> Self;
     /// The difference.
     fn minus(self, other: Self) -> Self;
+    /// Each component as [`NearUnit::clamp_abs`] clamps it.
+    #[inline(always)]
+    fn clamped(self, limit: N) -> Self
+    where
+        N: NearUnit,
+    {
+        Self::pack(self.unpack().map(|component| component.clamp_abs(limit)))
+    }
 }
 
 /// A number near 1. Exact bounds are kept by the caller: offsets and factors below 2 in magnitude never overflow, and what
 /// overflows wraps without a panic. Sums, differences and comparisons are right up to 2¹⁷, as coordinates need them.
 pub trait NearUnit: Arithmetic + PartialOrd + Default + Debug + Send + Sync + 'static {
-    /// The form in memory.
-    type Stored: Copy + Debug + Send + Sync + 'static;
     /// A vector in memory.
     type Packed<const D: usize>: Pack<Self, D>;
-
-    /// Zero as [`store`](Self::store) stores it.
-    const STORED_ZERO: Self::Stored;
-    /// Zero as [`store_weight`](Self::store_weight) stores it.
-    const NO_WEIGHT: Self::Stored;
 
     /// Whether each component lies between `low` and what `high` has for it; false for NaN.
     #[inline(always)]
@@ -61,18 +62,8 @@ pub trait NearUnit: Arithmetic + PartialOrd + Default + Debug + Send + Sync + 's
 
     /// The number as an f64, exact.
     fn to_f64(self) -> f64;
-    /// ⌊x⌋; 0 for NaN.
+    /// ⌊x⌋ for x ≥ 0; any number for others.
     fn floor(self) -> i32;
-    /// Returns the form in memory; fixed point is clamped to ±2.
-    fn store(self) -> Self::Stored;
-    /// As [`store`](Self::store) for what is known to lie within ±2; the low bits of what does not.
-    fn store_low(self) -> Self::Stored;
-    /// What [`store`](Self::store) stored.
-    fn load(stored: Self::Stored) -> Self;
-    /// A sum of weights below 32, in steps of 2^−11 in fixed point.
-    fn store_weight(self) -> Self::Stored;
-    /// What [`store_weight`](Self::store_weight) stored.
-    fn load_weight(stored: Self::Stored) -> Self;
 
     /// |v|²
     #[inline(always)]
@@ -169,11 +160,7 @@ macro_rules! own_companion {
         $crate::own_companion!(@pack [$($parameters)*, const DIMENSION: usize] $Scalar, $zero);
 
         impl<$($parameters)*> $crate::scalar::compact::NearUnit for $Scalar {
-            type Stored = Self;
             type Packed<const DIMENSION: usize> = [Self; DIMENSION];
-
-            const STORED_ZERO: Self = $zero;
-            const NO_WEIGHT: Self = $zero;
 
             #[inline(always)]
             fn to_f64(self) -> f64 {
@@ -195,32 +182,7 @@ macro_rules! own_companion {
 
             #[inline(always)]
             fn floor(self) -> i32 {
-                $crate::Scalar::floor_to_i32(self)
-            }
-
-            #[inline(always)]
-            fn store(self) -> Self {
-                self
-            }
-
-            #[inline(always)]
-            fn store_low(self) -> Self {
-                self
-            }
-
-            #[inline(always)]
-            fn load(stored: Self) -> Self {
-                stored
-            }
-
-            #[inline(always)]
-            fn store_weight(self) -> Self {
-                self
-            }
-
-            #[inline(always)]
-            fn load_weight(stored: Self) -> Self {
-                stored
+                $crate::Scalar::split(self, 0).0 as i32
             }
         }
     };

@@ -92,11 +92,7 @@ fn within<N: Copy, const D: usize>(vector: &[TallyNear<N>; D]) -> [N; D] {
 }
 
 impl<N: NearUnit> NearUnit for TallyNear<N> {
-    type Stored = N::Stored;
     type Packed<const D: usize> = TallyPack<N::Packed<D>>;
-
-    const STORED_ZERO: Self::Stored = N::STORED_ZERO;
-    const NO_WEIGHT: Self::Stored = N::NO_WEIGHT;
 
     #[inline]
     fn all_between<const D: usize>(x: &[Self; D], low: Self, high: &[Self; D]) -> bool {
@@ -111,31 +107,6 @@ impl<N: NearUnit> NearUnit for TallyNear<N> {
     #[inline]
     fn floor(self) -> i32 {
         self.0.floor()
-    }
-
-    #[inline]
-    fn store(self) -> Self::Stored {
-        self.0.store()
-    }
-
-    #[inline]
-    fn store_low(self) -> Self::Stored {
-        self.0.store_low()
-    }
-
-    #[inline]
-    fn load(stored: Self::Stored) -> Self {
-        Self(N::load(stored))
-    }
-
-    #[inline]
-    fn store_weight(self) -> Self::Stored {
-        self.0.store_weight()
-    }
-
-    #[inline]
-    fn load_weight(stored: Self::Stored) -> Self {
-        Self(N::load_weight(stored))
     }
 
     #[inline]

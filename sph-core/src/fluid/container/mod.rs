@@ -52,7 +52,7 @@ pub const GAP: (i32, i32) = (1, 8);
 
 /// A container for particles: which places are inside, and what its walls do.
 ///
-/// Your own needs all four methods; [`Shape`] makes one from a signed distance. Places are given as the fluid keeps them, in
+/// Your own needs four methods, all but [`is_clear`](Self::is_clear); [`Shape`] makes one from a signed distance. Places are given as the fluid keeps them, in
 /// [`Compact::Near`]: floats as they are, fixed-point numbers in counts of 2^−14 ([`Compact::from_near`] has the scalar). The
 /// fluid trusts `confine`: what it returns must be inside, whatever it is given, NaN included.
 ///
@@ -95,6 +95,12 @@ pub trait Container<T: Compact, const D: usize> {
 
     /// What the walls do at x; None out of their reach.
     fn wall(&self, x: &[T::Near; D]) -> Option<Wall<T::Near, D>>;
+
+    /// Whether [`confine`](Self::confine) certainly returns `to` as it is, wherever a particle comes from: asked first, to save the call.
+    #[inline(always)]
+    fn is_clear(&self, _to: &[T::Near; D]) -> bool {
+        false
+    }
 
     /// `to` where a particle can come from `from`, which is inside, in one step; else a place inside near to it, about `gap`
     /// (at most [`GAP`]) away from the wall that was in the way.

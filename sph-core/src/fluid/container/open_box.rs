@@ -73,13 +73,6 @@ impl<T: Compact, const D: usize> OpenBox<T, D> {
         }
         product(open, push)
     }
-
-    /// The place inside that is nearest to x but `gap` away from the walls.
-    #[inline(never)]
-    fn put_back(&self, x: &[T::Near; D], gap: T::Near) -> [T::Near; D] {
-        let upper = self.upper();
-        core::array::from_fn(|axis| hold(x[axis], upper[axis], gap))
-    }
 }
 
 impl<T: Compact, const D: usize> Container<T, D> for OpenBox<T, D> {
@@ -100,11 +93,14 @@ impl<T: Compact, const D: usize> Container<T, D> for OpenBox<T, D> {
     }
 
     #[inline(always)]
+    fn is_clear(&self, to: &[T::Near; D]) -> bool {
+        self.is_inside_by(to, T::Near::ratio(GAP.0, GAP.1))
+    }
+
+    #[inline(always)]
     fn confine(&self, _from: &[T::Near; D], to: [T::Near; D], gap: T::Near) -> [T::Near; D] {
-        if self.is_inside_by(&to, T::Near::ratio(GAP.0, GAP.1)) {
-            return to;
-        }
-        self.put_back(&to, gap)
+        let upper = self.upper();
+        core::array::from_fn(|axis| hold(to[axis], upper[axis], gap))
     }
 }
 
@@ -126,4 +122,25 @@ fn product<N: NearUnit, const D: usize>(open: [N; D], mut push: [N; D]) -> Wall<
         }
     }
     Wall { share: N::ONE - all, push }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_clear_is_not_moved() {
+        let walls = OpenBox::new([2.0_f32, 3.0]);
+        let clear = |x: &[f32; 2]| Container::is_clear(&walls, x);
+        assert!(clear(&[1.0, 1.5]));
+        for outside in [[-0.1, 1.0], [1.0, 3.1], [2.1, 1.0], [f32::NAN, 1.0], [1.0, f32::NEG_INFINITY]] {
+            assert!(!clear(&outside), "{outside:?}");
+        }
+        for k in 0..400 {
+            let x = [(k % 20) as f32 * 0.1, (k / 20) as f32 * 0.15];
+            for gap in [1.0 / 128.0, 1.0 / 8.0] {
+                assert!(!clear(&x) || walls.confine(&x, x, gap) == x, "{x:?}");
+            }
+        }
+    }
 }

@@ -3,20 +3,20 @@
 //! ```text
 //! predict    v ← v + a,  x ← x + v
 //! density    ρ_i/ρ₀ = (1 + Σ_j t_ij³) / 3.05 + χ_i                  t_ij = (1 − |x_ij|²/h²)₊, poly6; χ the walls' share
-//! pressure   p_i = (κ (ρ_i/ρ₀ − 1) + 0.3 p_i of the pass before)₊     κ = 1
+//! pressure   p_i = κ (ρ_i/ρ₀ − 1 + p_i of the pass before / 3.05)₊    κ = 1
 //! correct    x_i ← x_i + Σ_j ((p_i + p_j) t_ij³ + (t_ij − 0.84)₊) x_ij + 1.6 p_i G_i,  v likewise
 //! ```
 //!
 //! Macklin & Müller's density constraint with these differences. The direction of a pair's push is poly6 times the offset, which
 //! is sharper than poly6's own gradient, so that no root is needed; its strength has a constant denominator κ. Closer than
-//! 0.8 spacings a repulsion is added that does not depend on pressure: particles never pair up. A part of the pressure is kept
-//! from pass to pass, which halves what is left of the compression under the fluid's own weight. XSPH viscosity is part of the
-//! first pass. In three dimensions 3.05 is 4.96, κ is 0.85 and 1.6 is 1.5; these numbers were chosen by measurement, which `tuning.rs`
+//! 0.8 spacings a repulsion is added that does not depend on pressure: particles never pair up. The pressure of the pass before
+//! counts as a weight of the kernel, so a third of it is kept, in three dimensions a sixth; that halves what is left of the
+//! compression under the fluid's own weight. XSPH viscosity is part of the first pass. In three dimensions 3.05 is 4.96, κ is 0.85 and 1.6 is 1.5; these numbers were chosen by measurement, which `tuning.rs`
 //! lists. Every pair's push is computed once and applied with both signs, so momentum is conserved: to rounding in floats, exactly in
 //! fixed point.
 //!
 //! The unit of length is the support radius h, the particles' spacing at rest is h/2, and time counts in frames. A fixed-point
-//! scalar's positions are kept as counts of 2⁻¹⁴ in 32 bits, velocities, pushes and pressures in 16
+//! scalar's positions and pressures are kept as counts of 2⁻¹⁴ in 32 bits, velocities and pushes in 16
 //! ([`compact`](crate::scalar::compact)).
 //!
 //! Sources: M. Macklin, M. Müller, *Position based fluids*, ACM Trans. Graph. 32 (2013) 104; B. Solenthaler, R. Pajarola,

@@ -6,24 +6,22 @@ use crate::fluid::Container;
 use crate::scalar::compact::{Compact, NearUnit, Pack};
 use crate::vector::{add, sub};
 
-pub(super) type Stored<T> = <<T as Compact>::Near as NearUnit>::Stored;
 pub(super) type Packed<T, const D: usize> = <<T as Compact>::Near as NearUnit>::Packed<D>;
 
 /// A particle: a position in units of h and a velocity in h a frame.
 ///
-/// In two dimensions 36 bytes for f32 and 24 for any fixed-point scalar, whose position is kept to 2^−14.
+/// In two dimensions 32 bytes for f32 and 24 for any fixed-point scalar, whose position is kept to 2^−14.
 #[derive(Clone, Copy, Debug)]
 pub struct Particle<T: Compact, const D: usize> {
     pub(super) place: [T::Near; D],
     pub(super) velocity: Packed<T, D>,
     /// The displacement gathered so far.
     pub(super) push: Packed<T, D>,
-    /// The kernel's sum over the particles that were visited before this one.
-    pub(super) partial_density: Stored<T>,
-    pub(super) pressure: Stored<T>,
-    /// Which of the particles ahead are neighbours: bit k for the k-th, all bits where there were 32 or more. From the
+    /// During a density pass, with the kernel's sum over the particles that were visited before this one.
+    pub(super) pressure: T::Near,
+    /// Which of the particles ahead are neighbours, as [`CellOrder::sweep`](crate::neighbours::CellOrder::sweep) gives it. From the
     /// prediction to the sorting, the number of the particle's cell.
-    pub(super) neighbour_mask: i32,
+    pub(super) neighbour_mask: u32,
 }
 
 impl<T: Compact, const D: usize> Particle<T, D> {
@@ -31,8 +29,7 @@ impl<T: Compact, const D: usize> Particle<T, D> {
         place: [T::Near::ZERO; D],
         velocity: Packed::<T, D>::ZERO,
         push: Packed::<T, D>::ZERO,
-        partial_density: T::Near::NO_WEIGHT,
-        pressure: T::Near::STORED_ZERO,
+        pressure: T::Near::ZERO,
         neighbour_mask: 0,
     };
 
@@ -52,19 +49,36 @@ impl<T: Compact, const D: usize> Particle<T, D> {
 
     /// With the pressure that its last frame ended with: position, velocity and pressure are all that a frame hands on.
     pub fn with_pressure(self, pressure: T) -> Self {
-        Self { pressure: super::clamp_to_unit(pressure).store(), ..self }
+        Self { pressure: super::clamp_to_unit(pressure), ..self }
     }
 
     /// Moves it by `way` as far as the container lets it, and adds the way it went to `velocity`.
     #[inline(always)]
     pub(super) fn advance<C: Container<T, D>>(
         &mut self,
-        way: &[T::Near; D],
+        way: Packed<T, D>,
         velocity: Packed<T, D>,
         (container, gap): (&C, T::Near),
     ) {
         let from = self.place;
-        self.place = container.confine(&from, add(&from, way), gap);
+        let to = add(&from, &way.unpack());
+        if container.is_clear(&to) {
+            (self.place, self.velocity) = (to, velocity.plus(way));
+        } else {
+            self.stop(to, velocity, (container, gap));
+        }
+    }
+
+    /// Moves it towards `to` as far as the container lets it, in a function of its own: few particles need it.
+    #[inline(never)]
+    fn stop<C: Container<T, D>>(
+        &mut self,
+        to: [T::Near; D],
+        velocity: Packed<T, D>,
+        (container, gap): (&C, T::Near),
+    ) {
+        let from = self.place;
+        self.place = container.confine(&from, to, gap);
         self.velocity = velocity.plus(Pack::pack(sub(&self.place, &from)));
     }
 
@@ -80,6 +94,6 @@ impl<T: Compact, const D: usize> Particle<T, D> {
 
     /// The pressure that the last frame ended with; no unit, 0 at a free surface.
     pub fn pressure(&self) -> T {
-        T::from_near(NearUnit::load(self.pressure))
+        T::from_near(self.pressure)
     }
 }

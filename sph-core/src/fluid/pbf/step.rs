@@ -2,13 +2,13 @@
 
 use super::particle::Packed;
 use super::tuning::Tuning;
-use super::{BorrowedFluid, FASTEST, Particle, STEEPEST, clamp_to_near, ratio};
+use super::{BorrowedFluid, FASTEST, Particle, STEEPEST, Settings, clamp_to_near, ratio};
 use crate::Arithmetic;
 use crate::fluid::Container;
 use crate::kernel::Poly6;
-use crate::neighbours::Index;
+use crate::neighbours::{CellOrder, Index};
 use crate::scalar::compact::{Compact, NearUnit, Pack};
-use crate::vector::{add, scale, sub};
+use crate::vector::{scale, sub};
 
 /// t = 1 − q² of a pair and its offset x_ij / h, within the support.
 #[inline(always)]
@@ -23,95 +23,127 @@ fn closeness<T: Compact, const D: usize>(
 
 impl<T: Compact, C: Container<T, D>, I: Index, const D: usize> BorrowedFluid<'_, T, C, D, I> {
     pub(super) fn predict(&mut self, acceleration: [T; D]) {
-        let acceleration = acceleration.map(|a| clamp_to_near(a, STEEPEST));
-        let fastest = ratio(FASTEST);
-        self.order.clear();
-        for (i, p) in self.particles.iter_mut().enumerate() {
-            let way = add(&p.velocity.unpack(), &acceleration).map(|along| along.clamp_abs(fastest));
-            p.advance(&way, Pack::ZERO, (self.container, gap(i)));
-            p.neighbour_mask = self.order.count(p.place.map(NearUnit::floor)) as i32;
-        }
+        predict(self.container, self.particles, &mut self.order, acceleration);
     }
 
     pub(super) fn sort(&mut self) {
         self.order.sort(self.particles, |p| p.neighbour_mask as usize);
     }
 
-    /// Density, XSPH viscosity, and which pairs are in reach.
     pub(super) fn search(&mut self) {
-        let (container, settings) = (self.container, self.settings);
-        let tuning = const { Tuning::of::<D>() };
-        let viscosity = T::Near::ratio(1, 256).times(settings.viscosity.min(tuning.most_viscosity).into());
-        self.order.sweep(
-            self.particles,
-            (T::Near::ZERO, Packed::<T, D>::ZERO),
-            closeness,
-            |this, (weight, drag), other, (_, t)| {
-                let w = Poly6::of_complement(t);
-                *weight += w;
-                other.partial_density = (T::Near::load_weight(other.partial_density) + w).store_weight();
-                let difference = other.velocity.minus(this.velocity).unpack();
-                let pull = Packed::<T, D>::pack(scale(&difference, w * viscosity));
-                *drag = drag.plus(pull);
-                other.push = other.push.minus(pull);
-            },
-            |p, (weight, drag), reach| {
-                p.neighbour_mask = reach;
-                finish_density(container, settings.cohesion, p, weight, drag.plus(p.push));
-            },
-        );
+        search(self.container, self.settings, self.particles, &self.order);
     }
 
     pub(super) fn density(&mut self) {
-        let (container, settings) = (self.container, self.settings);
-        self.order.revisit(
-            self.particles,
-            T::Near::ZERO,
-            |p| p.neighbour_mask,
-            closeness,
-            |_, sum, other, (_, t)| {
-                let w = Poly6::of_complement(t);
-                *sum += w;
-                other.partial_density = (T::Near::load_weight(other.partial_density) + w).store_weight();
-            },
-            |p, sum| finish_density(container, settings.cohesion, p, sum, Pack::ZERO),
-        );
+        density(self.container, self.settings, self.particles, &self.order);
     }
 
     pub(super) fn correct(&mut self) {
-        let container = self.container;
-        let tuning = const { Tuning::of::<D>() };
-        let limit = ratio(tuning.longest_correction);
-        let core = ratio(tuning.core);
-        let mut i = 0_usize;
-        self.order.revisit(
-            self.particles,
-            Packed::<T, D>::ZERO,
-            |p| p.neighbour_mask,
-            closeness,
-            |this, sum, other, (offset, t)| {
-                let pressure = T::Near::load(this.pressure) + T::Near::load(other.pressure);
-                let mut strength = pressure * Poly6::of_complement(t);
-                if t > core {
-                    strength += t - core;
-                    if t == T::Near::ONE {
-                        let parting = Packed::<T, D>::pack([ratio(tuning.parting); D]);
-                        *sum = sum.plus(parting);
-                        other.push = other.push.minus(parting);
-                    }
-                }
-                let push = Packed::<T, D>::pack(scale(&offset, strength));
-                *sum = sum.plus(push);
-                other.push = other.push.minus(push);
-            },
-            |p, sum| {
-                let way = sum.plus(p.push).unpack().map(|along| along.clamp_abs(limit));
-                p.advance(&way, p.velocity, (container, gap(i)));
-                i = i.wrapping_add(1);
-                p.push = Pack::ZERO;
-            },
-        );
+        correct(self.container, self.particles, &self.order);
     }
+}
+
+// Functions of references, which the compiler knows to be apart: it keeps what it has read of the container.
+
+fn predict<T: Compact, C: Container<T, D>, I: Index, const D: usize>(
+    container: &C,
+    particles: &mut [Particle<T, D>],
+    order: &mut CellOrder<'_, I, D>,
+    acceleration: [T; D],
+) {
+    let acceleration = Packed::<T, D>::pack(acceleration.map(|a| clamp_to_near(a, STEEPEST)));
+    let fastest = ratio(FASTEST);
+    order.clear();
+    for (i, p) in particles.iter_mut().enumerate() {
+        let way = p.velocity.plus(acceleration).clamped(fastest);
+        p.advance(way, Pack::ZERO, (container, gap(i)));
+        p.neighbour_mask = order.count(p.place.map(NearUnit::floor)) as u32;
+    }
+}
+
+/// Density, XSPH viscosity, and which pairs are in reach.
+fn search<T: Compact, C: Container<T, D>, I: Index, const D: usize>(
+    container: &C,
+    settings: Settings,
+    particles: &mut [Particle<T, D>],
+    order: &CellOrder<'_, I, D>,
+) {
+    let tuning = const { Tuning::of::<D>() };
+    let viscosity = T::Near::ratio(1, 256).times(settings.viscosity.min(tuning.most_viscosity).into());
+    order.sweep(
+        particles,
+        (T::Near::ZERO, Packed::<T, D>::ZERO),
+        closeness,
+        |this, (weight, drag), other, (_, t)| {
+            let w = Poly6::of_complement(t);
+            *weight += w;
+            other.pressure += w;
+            let difference = other.velocity.minus(this.velocity).unpack();
+            let pull = Packed::<T, D>::pack(scale(&difference, w * viscosity));
+            *drag = drag.plus(pull);
+            other.push = other.push.minus(pull);
+        },
+        |p, (weight, drag), reach| {
+            p.neighbour_mask = reach;
+            finish_density(container, settings.cohesion, p, weight, drag.plus(p.push));
+        },
+    );
+}
+
+fn density<T: Compact, C: Container<T, D>, I: Index, const D: usize>(
+    container: &C,
+    settings: Settings,
+    particles: &mut [Particle<T, D>],
+    order: &CellOrder<'_, I, D>,
+) {
+    order.revisit(
+        particles,
+        T::Near::ZERO,
+        |p| p.neighbour_mask,
+        closeness,
+        |_, sum, other, (_, t)| {
+            let w = Poly6::of_complement(t);
+            *sum += w;
+            other.pressure += w;
+        },
+        |p, sum, _| finish_density(container, settings.cohesion, p, sum, Pack::ZERO),
+    );
+}
+
+fn correct<T: Compact, C: Container<T, D>, I: Index, const D: usize>(
+    container: &C,
+    particles: &mut [Particle<T, D>],
+    order: &CellOrder<'_, I, D>,
+) {
+    let tuning = const { Tuning::of::<D>() };
+    let limit = ratio(tuning.longest_correction);
+    let core = ratio(tuning.core);
+    order.revisit(
+        particles,
+        Packed::<T, D>::ZERO,
+        |p| p.neighbour_mask,
+        closeness,
+        |this, sum, other, (offset, t)| {
+            let pressure = this.pressure + other.pressure;
+            let mut strength = pressure * Poly6::of_complement(t);
+            if t > core {
+                strength += t - core;
+                if t == T::Near::ONE {
+                    let parting = Packed::<T, D>::pack([ratio(tuning.parting); D]);
+                    *sum = sum.plus(parting);
+                    other.push = other.push.minus(parting);
+                }
+            }
+            let push = Packed::<T, D>::pack(scale(&offset, strength));
+            *sum = sum.plus(push);
+            other.push = other.push.minus(push);
+        },
+        |p, sum, behind| {
+            let way = sum.plus(p.push).clamped(limit);
+            p.advance(way, p.velocity, (container, gap(behind)));
+            p.push = Pack::ZERO;
+        },
+    );
 }
 
 /// From the kernel's sum to the pressure and the wall's push.
@@ -126,9 +158,9 @@ fn finish_density<T: Compact, C: Container<T, D>, const D: usize>(
     let wall = container.wall(&p.place);
     let share = wall.map_or(T::Near::ZERO, |wall| wall.share);
     let tuning = const { Tuning::of::<D>() };
-    let sum = T::Near::ONE + weight + T::Near::load_weight(p.partial_density);
-    let excess = sum * ratio(tuning.per_rest_sum) + share - T::Near::ONE;
-    let raw = excess * ratio(tuning.stiffness) + T::Near::load(p.pressure) * ratio(tuning.kept_pressure);
+    let per_rest_sum = ratio::<T::Near>(tuning.per_rest_sum);
+    let excess = (p.pressure + weight) * per_rest_sum + (share - (T::Near::ONE - per_rest_sum));
+    let raw = excess * ratio(tuning.stiffness);
     let kept = T::Near::ratio(1, 256).times(cohesion.min(tuning.most_cohesion).into());
     let highest = ratio(tuning.highest_pressure);
     let pressure = if raw > highest {
@@ -138,8 +170,7 @@ fn finish_density<T: Compact, C: Container<T, D>, const D: usize>(
     } else {
         raw * kept
     };
-    p.pressure = pressure.store_low();
-    p.partial_density = T::Near::NO_WEIGHT;
+    p.pressure = pressure;
     p.push = push;
     if let Some(wall) = wall {
         let on_wall = pressure * ratio(tuning.wall_push);

@@ -1,14 +1,9 @@
-//! [`Near14`] as the companion of the fixed-point scalars, and its form in memory.
+//! [`Near14`] as the companion of the fixed-point scalars.
 
 use super::near::{FRACTION, Near14};
 use super::packed::Packed14;
 use super::{Fixed, Format, Overflow, Word};
 use crate::scalar::compact::{Compact, NearUnit};
-
-/// Bits by which a stored sum of weights is coarser.
-const WEIGHT_SHIFT: u32 = 3;
-/// What a stored number lies above itself: without a sign it is loaded in one instruction on a Cortex-M0.
-const BIAS: i32 = 1 << 15;
 
 impl<F: Format, O: Overflow> Compact for Fixed<F, O> {
     type Near = Near14;
@@ -25,11 +20,7 @@ impl<F: Format, O: Overflow> Compact for Fixed<F, O> {
 }
 
 impl NearUnit for Near14 {
-    type Stored = u16;
     type Packed<const D: usize> = Packed14<D>;
-
-    const STORED_ZERO: u16 = BIAS as u16;
-    const NO_WEIGHT: u16 = 0;
 
     /// The signs of all differences in one word: one branch.
     #[inline(always)]
@@ -46,11 +37,6 @@ impl NearUnit for Near14 {
     #[inline(always)]
     fn floor(self) -> i32 {
         self.0.wrapping_shr(FRACTION)
-    }
-
-    #[inline(always)]
-    fn store(self) -> u16 {
-        self.0.clamp(1 - BIAS, BIAS - 1).wrapping_add(BIAS) as u16
     }
 
     /// Rounded once, and right for components below 2.8.
@@ -76,25 +62,5 @@ impl NearUnit for Near14 {
     fn mul_rounded(self, other: Self) -> Self {
         const HALF: i32 = 1 << (FRACTION - 1);
         Self(self.0.wrapping_mul(other.0).wrapping_add(HALF).wrapping_shr(FRACTION))
-    }
-
-    #[inline(always)]
-    fn store_low(self) -> u16 {
-        self.0.wrapping_add(BIAS) as u16
-    }
-
-    #[inline(always)]
-    fn load(stored: u16) -> Self {
-        Self(i32::from(stored).wrapping_sub(BIAS))
-    }
-
-    #[inline(always)]
-    fn store_weight(self) -> u16 {
-        self.0.wrapping_shr(WEIGHT_SHIFT) as u16
-    }
-
-    #[inline(always)]
-    fn load_weight(stored: u16) -> Self {
-        Self(i32::from(stored).wrapping_shl(WEIGHT_SHIFT))
     }
 }

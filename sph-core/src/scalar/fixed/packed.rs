@@ -4,7 +4,7 @@
 //! with its sign, y what is left.
 
 use super::near::Near14;
-use crate::scalar::compact::Pack;
+use crate::scalar::compact::{NearUnit, Pack};
 use core::array::from_fn;
 
 /// A vector of components within ±2.
@@ -33,6 +33,14 @@ impl<const D: usize> Packed14<D> {
         } else {
             Self(numbers.map(|n| n as u16))
         }
+    }
+}
+
+impl<const D: usize> Packed14<D> {
+    /// In a function of its own: few vectors need it.
+    #[inline(never)]
+    fn each_clamped(self, limit: Near14) -> Self {
+        Self::pack(self.unpack().map(|component| component.clamp_abs(limit)))
     }
 }
 
@@ -71,6 +79,37 @@ impl<const D: usize> Pack<Near14, D> for Packed14<D> {
             Self::from_word(self.word().wrapping_sub(other.word()))
         } else {
             Self(from_fn(|axis| self.0[axis].wrapping_sub(other.0[axis])))
+        }
+    }
+
+    /// In two dimensions first both components at once: from −`limit` on, as many counts as a power of two has.
+    #[inline(always)]
+    fn clamped(self, limit: Near14) -> Self {
+        if D == 2 {
+            let both = |count: u32| count.wrapping_mul(1 << 16 | 1);
+            let count = 1_u32.wrapping_shl((limit.0 as u32).wrapping_shl(1).checked_ilog2().unwrap_or(0));
+            if self.word().wrapping_add(both(limit.0 as u32)) & both(count.wrapping_neg() & 0xffff) == 0 {
+                return self;
+            }
+        }
+        self.each_clamped(limit)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn clamps_each_component() {
+        for limit in [Near14(1 << 12), Near14(3000)] {
+            let numbers =
+                [0, 1, -1, 2999, -3000, -3001, 4095, 4096, 4097, -4095, -4096, -4097, 32767, -32768];
+            for [x, y] in numbers.iter().flat_map(|&x| numbers.map(|y| [x, y])) {
+                let clamped = Packed14::<2>::pack([Near14(x), Near14(y)]).clamped(limit).unpack();
+                let expected = [x, y].map(|n| Near14(n.clamp(-limit.0, limit.0)));
+                assert_eq!(clamped, expected, "{x}, {y} to {limit:?}");
+            }
         }
     }
 }
