@@ -84,7 +84,6 @@ can_be_logged!(
     Disc<T>,
     Mask<'static, T>,
     Shape<T, SignedDistance, 2>,
-    incompressible::Constraint,
     incompressible::Outcome,
     incompressible::Particles<'static, T, 2, ()>,
     incompressible::Scheme<T, 2, KernelInfluence<T, 2, WendlandC2>>,

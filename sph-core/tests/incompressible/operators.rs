@@ -1,6 +1,6 @@
 //! P and C, the solver over them, and what a step keeps.
 
-use sph_core::fluid::incompressible::{Constraint, Outcome, Summation};
+use sph_core::fluid::incompressible::{Outcome, Summation};
 use sph_core::{Error, Parameter, Scalar};
 
 use crate::support::{Fluid, SPACING};
@@ -13,35 +13,29 @@ fn pushes_are_minus_the_adjoint_of_rates() {
     let count = fluid.shapes.len();
     let values = Fluid::<f64, 2>::noise(count, 3);
     let flow: Vec<[f64; 2]> = Fluid::<f64, 2>::noise(2 * count, 5).as_chunks().0.to_vec();
-    for constraint in [Constraint::Projection, Constraint::Correction] {
-        let (mut pushes, mut rates) = (vec![[0.0; 2]; count], vec![0.0; count]);
-        fluid
-            .with(|scheme, p| {
-                p.sums.pushes(scheme, constraint, p.positions, p.shapes, &values, &mut pushes)?;
-                p.sums.rates(scheme, constraint, p.positions, p.shapes, &flow, &mut rates)
-            })
-            .unwrap();
-        let of_rates: f64 = values.iter().zip(&rates).map(|(q, rate)| q * rate).sum();
-        let of_pushes: f64 = flow.iter().flatten().zip(pushes.iter().flatten()).map(|(v, a)| v * a).sum();
-        let size: f64 = values.iter().zip(&rates).map(|(q, rate)| (q * rate).abs()).sum();
-        assert!((of_rates + of_pushes).abs() < 1e-13 * size, "{constraint:?}: {of_rates} {of_pushes}");
-        assert!(of_rates.abs() > 1e-3 * size, "{of_rates} of {size}");
-    }
+    let (mut pushes, mut rates) = (vec![[0.0; 2]; count], vec![0.0; count]);
+    fluid
+        .with(|scheme, p| {
+            p.sums.pushes(scheme, p.positions, p.shapes, &values, &mut pushes)?;
+            p.sums.rates(scheme, p.positions, p.shapes, &flow, &mut rates)
+        })
+        .unwrap();
+    let of_rates: f64 = values.iter().zip(&rates).map(|(q, rate)| q * rate).sum();
+    let of_pushes: f64 = flow.iter().flatten().zip(pushes.iter().flatten()).map(|(v, a)| v * a).sum();
+    let size: f64 = values.iter().zip(&rates).map(|(q, rate)| (q * rate).abs()).sum();
+    assert!((of_rates + of_pushes).abs() < 1e-13 * size, "{of_rates} {of_pushes}");
+    assert!(of_rates.abs() > 1e-3 * size, "{of_rates} of {size}");
 }
 
 #[test]
 fn rates_are_the_change_of_density() {
-    let mut fluid = Fluid::<f64, 3>::new([4, 4, 3], Some([4, 4, 5]), 9.81);
+    let mut fluid = Fluid::<f64, 3>::new([4, 4, 3], None, 0.0);
     fluid.jitter(0.2);
     fluid.with(|scheme, particles| scheme.prepare(particles)).unwrap();
     let count = fluid.shapes.len();
     let flow: Vec<[f64; 3]> = Fluid::<f64, 3>::noise(3 * count, 5).as_chunks().0.to_vec();
     let mut rates = vec![0.0; count];
-    fluid
-        .with(|scheme, p| {
-            p.sums.rates(scheme, Constraint::Correction, p.positions, p.shapes, &flow, &mut rates)
-        })
-        .unwrap();
+    fluid.with(|scheme, p| p.sums.rates(scheme, p.positions, p.shapes, &flow, &mut rates)).unwrap();
     const STEP: f64 = 1e-6;
     let densities = |fluid: &mut Fluid<f64, 3>, sign: f64| -> Vec<f64> {
         for (x, v) in fluid.positions[..count].iter_mut().flatten().zip(flow.iter().flatten()) {
@@ -69,29 +63,43 @@ fn the_lattice_has_density_one_up_to_the_walls() {
     }
 }
 
-/// λ of the projection and of the correction.
-fn eigenvalues<const D: usize>(fluid: [i32; D], tank: [i32; D]) -> [f64; 2] {
-    let mut fluid = Fluid::<f64, D>::new(fluid, Some(tank), 9.81);
-    fluid.with(|scheme, particles| scheme.estimate_relaxation(particles)).unwrap().map(|part| 0.9 / part)
+/// The greatest eigenvalue of D⁻¹A.
+fn eigenvalue<const D: usize>(fluid: &mut Fluid<f64, D>) -> f64 {
+    0.8 / fluid.with(|scheme, particles| scheme.estimate_relaxation(particles)).unwrap()
 }
 
 #[test]
 fn the_greatest_eigenvalue_grows_with_dimensions_and_a_fixed_half_diverges() {
-    let [projection, correction] = eigenvalues([8, 8], [8, 10]);
-    assert!((2.3..2.9).contains(&correction) && (correction..6.0).contains(&projection), "{correction}");
-    let [projection, correction] = eigenvalues([4, 4, 5], [4, 4, 6]);
-    assert!((3.4..4.6).contains(&correction) && (correction..9.0).contains(&projection), "{correction}");
+    let found = eigenvalue(&mut Fluid::<f64, 2>::new([8, 8], Some([8, 10]), 9.81));
+    assert!((2.3..2.9).contains(&found), "{found}");
+    let found = eigenvalue(&mut Fluid::<f64, 3>::new([4, 4, 5], Some([4, 4, 6]), 9.81));
+    assert!((3.2..4.6).contains(&found), "{found}");
     let outcome = |relaxation: Option<f64>| -> Outcome {
         let mut fluid = Fluid::<f64, 3>::new([4, 4, 5], Some([4, 4, 7]), 9.81);
         fluid.prepare();
-        fluid.scheme.tuning.most_iterations = 60;
+        fluid.scheme.tuning.most_iterations = 100;
         if let Some(relaxation) = relaxation {
-            fluid.scheme.tuning.relaxation = [relaxation; 2];
+            fluid.scheme.tuning.relaxation = relaxation;
         }
         fluid.step(5e-3).unwrap()
     };
-    assert!(outcome(None).projection < 40, "{:?}", outcome(None));
-    assert_eq!(outcome(Some(0.5)).projection, 60, "does not end");
+    assert!(outcome(None).iterations < 80, "{:?}", outcome(None));
+    assert_eq!(outcome(Some(0.5)).iterations, 100, "does not end");
+}
+
+#[test]
+fn the_greatest_eigenvalue_stays_where_particles_have_come_close_to_walls() {
+    let mut fluid = Fluid::<f64, 2>::new([8, 8], Some([8, 10]), 9.81);
+    let at_first = eigenvalue(&mut fluid);
+    fluid.jitter(0.3);
+    let count = fluid.shapes.len();
+    for x in &mut fluid.positions[..count] {
+        if x[1] < SPACING {
+            x[1] *= 0.3;
+        }
+    }
+    let found = eigenvalue(&mut fluid);
+    assert!(found < 1.25 * at_first, "{at_first} {found}: the solution would diverge");
 }
 
 #[test]
@@ -106,25 +114,22 @@ fn the_projection_ends_within_its_tolerance() {
         let velocities = fluid.velocities.clone();
         let after = std::mem::replace(&mut fluid.positions, before);
         let mut rates = vec![0.0; count];
-        fluid
-            .with(|scheme, p| {
-                p.sums.rates(scheme, Constraint::Projection, p.positions, &shapes, &velocities, &mut rates)
-            })
-            .unwrap();
+        fluid.with(|scheme, p| p.sums.rates(scheme, p.positions, &shapes, &velocities, &mut rates)).unwrap();
         fluid.positions = after;
         fluid.with(|scheme, particles| scheme.prepare(particles)).unwrap();
         let compression = shapes.iter().zip(&rates).map(|(shape, rate)| {
-            let allowed = 0.05 * (1.0 - shape.density).max(0.0);
-            if shape.density < 0.5 { 0.0 } else { (dt * rate - allowed).max(0.0) }
+            let excess = shape.density - 1.0;
+            let part = if excess > 0.0 { 0.2 } else { 0.05 };
+            if shape.density < 0.5 { 0.0 } else { (dt * rate + part * excess).max(0.0) }
         });
         let mean = compression.sum::<f64>() / count as f64;
-        // the last look is at the values before the last step: what it leaves is smaller
-        assert!(mean <= 1e-4, "{mean}");
+        // of nine rows; the last look is at the values before the last step
+        assert!(mean <= 2.0 * (4e-4 + 1e-2 * 0.4) / 9.0, "{mean}");
     }
 }
 
 #[test]
-fn momentum_is_kept_to_rounding() {
+fn momentum_and_angular_momentum_are_kept_to_rounding() {
     fn check<T: Scalar>(tolerance: f64) {
         let mut fluid = Fluid::<T, 2>::new([8, 8], None, 0.0);
         fluid.jitter(0.1);
@@ -150,7 +155,7 @@ fn momentum_is_kept_to_rounding() {
         }
         let after = sums(&fluid);
         assert!((after[3] / before[3] - 1.0).abs() > 1e-2, "something happened");
-        for k in 0..2 {
+        for k in 0..3 {
             assert!((after[k] - before[k]).abs() < tolerance * before[3], "{k}: {before:?} {after:?}");
         }
     }

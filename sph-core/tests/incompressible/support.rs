@@ -20,7 +20,6 @@ pub(crate) struct Fluid<T, const D: usize> {
     pub(crate) pushes: Vec<[T; D]>,
     pub(crate) rates: Vec<T>,
     pub(crate) trial: Vec<T>,
-    shifts: Vec<T>,
     sources: Vec<T>,
     walls: Vec<Wall<T>>,
     wall_values: Vec<T>,
@@ -88,7 +87,6 @@ impl<T: Scalar, const D: usize> Fluid<T, D> {
         Self {
             velocities: vec![[T::ZERO; D]; count],
             pressures: vec![T::ZERO; count],
-            shifts: vec![T::ZERO; count],
             shapes: vec![Shape::NONE; count],
             pushes: vec![[T::ZERO; D]; count],
             rates: vec![T::ZERO; count],
@@ -117,7 +115,6 @@ impl<T: Scalar, const D: usize> Fluid<T, D> {
             positions: &mut self.positions,
             velocities: &mut self.velocities,
             pressures: &mut self.pressures,
-            shifts: &mut self.shifts,
             shapes: &mut self.shapes,
             pushes: &mut self.pushes,
             rates: &mut self.rates,

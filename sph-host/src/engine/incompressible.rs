@@ -31,7 +31,6 @@ pub(crate) struct Incompressible<T, const D: usize> {
     positions: Vec<[T; D]>,
     velocities: Vec<[T; D]>,
     pressures: Vec<T>,
-    shifts: Vec<T>,
     shapes: Vec<Shape<T, D>>,
     pushes: Vec<[T; D]>,
     rates: Vec<T>,
@@ -42,6 +41,12 @@ pub(crate) struct Incompressible<T, const D: usize> {
 
 /// Steps from sorting to sorting: the fastest particle has moved three support radii.
 const SORT_EVERY: u32 = 16;
+
+/// Steps that a setup is given to settle at most: each opens a fifth of the excess.
+const SETTLING_STEPS: u32 = 30;
+
+/// The mean excess of density of a setup that has settled.
+const SETTLED: f64 = 1e-4;
 
 impl<T: Real, const D: usize> Incompressible<T, D> {
     /// The fluid of a setup, ready for its first step; what leaves `inside` is put back.
@@ -76,7 +81,6 @@ impl<T: Real, const D: usize> Incompressible<T, D> {
             positions: setup.positions.iter().map(narrow).chain(walls).collect(),
             velocities: setup.velocities.iter().map(narrow).collect(),
             pressures: setup.pressures.iter().map(|&pressure| number(pressure)).collect(),
-            shifts: vec![T::ZERO; fluid],
             shapes: vec![Shape::NONE; fluid],
             pushes: vec![[T::ZERO; D]; fluid],
             rates: vec![T::ZERO; fluid],
@@ -86,6 +90,7 @@ impl<T: Real, const D: usize> Incompressible<T, D> {
         simulation.sort()?;
         let (scheme, mut particles) = simulation.particles();
         simulation.scheme.tuning.relaxation = scheme.estimate_relaxation(&mut particles)?;
+        simulation.settle()?;
         simulation.prepare()?;
         Ok(simulation)
     }
@@ -95,12 +100,32 @@ impl<T: Real, const D: usize> Incompressible<T, D> {
         Self { sums: self.sums.at_level(level), ..self }
     }
 
+    /// Moves particles apart that a setup has put too close together, velocities and pressures as they were: opened in the first
+    /// steps of the run, the excess would become speed.
+    fn settle(&mut self) -> Result<(), Error> {
+        let (velocities, pressures) = (self.velocities.clone(), self.pressures.clone());
+        self.pressures.fill(T::ZERO);
+        self.scheme.gravity = [T::ZERO; D];
+        for _ in 0..SETTLING_STEPS {
+            self.velocities.fill([T::ZERO; D]);
+            let (scheme, mut particles) = self.particles();
+            scheme.prepare(&mut particles)?;
+            let excess = |shape: &Shape<T, D>| (shape.density - T::ONE).max(T::ZERO).to_f64();
+            let sum = particles.shapes.iter().map(excess).sum::<f64>();
+            if sum <= SETTLED * particles.shapes.len() as f64 {
+                break;
+            }
+            scheme.step(&mut particles, T::ONE)?;
+        }
+        (self.velocities, self.pressures) = (velocities, pressures);
+        Ok(())
+    }
+
     fn particles(&mut self) -> (Scheme<T, D, AnyInfluence<T, D>>, Particles<'_, T, D, SimdSummation<T, D>>) {
         let particles = Particles {
             positions: &mut self.positions,
             velocities: &mut self.velocities,
             pressures: &mut self.pressures,
-            shifts: &mut self.shifts,
             shapes: &mut self.shapes,
             pushes: &mut self.pushes,
             rates: &mut self.rates,
@@ -118,7 +143,6 @@ impl<T: Real, const D: usize> Incompressible<T, D> {
         gather(&mut self.positions, &from);
         gather(&mut self.velocities, &from);
         gather(&mut self.pressures, &from);
-        gather(&mut self.shifts, &from);
         gather(&mut self.shapes, &from);
         self.sums.rows.forget();
         self.unsorted = 0;
@@ -167,8 +191,6 @@ impl<T: Real, const D: usize> Simulate<D> for Incompressible<T, D> {
     }
 
     fn prepare(&mut self) -> Result<(), Error> {
-        // what is in no frame
-        self.shifts.fill(T::ZERO);
         self.sort()?;
         self.scheme.gravity = self.gravity_at(self.time);
         let (scheme, mut particles) = self.particles();

@@ -1,25 +1,25 @@
-//! Incompressible SPH: pressure and volume by two constraints that are solved in every step, so that the step is as long as the
-//! flow allows and not as sound does.
+//! Incompressible SPH: the pressure by a constraint that is solved in every step, so that the step is as long as the flow allows and
+//! not as sound does.
 //!
 //! ```text
 //! δ_i     = Σ V W_ij                           relative density, 1 on the lattice of the fluid
 //! C_i(u)  = Σ V (u_i − u_j)·∇W_ij              dδ_i/dt under velocities u; walls stand still
 //! P_i(q)  = −Σ V (q_i + q_j) ∇W_ij             acceleration by pressures q = p/ρ₀
 //!
-//! projection    v′ = v* + P(qΔt),     q ≥ 0,   C(v′) ≤ 0,                     one of the two zero at every particle
-//! correction    x′ = x + v′Δt + P(s), s ≥ 0,   δ + C(x′ − x) ≤ 1,             likewise; v′ stays as it is
+//! v′ = v* + P(q) Δt,    x′ = x + v′ Δt         with q ≥ 0,   C(v′) Δt + χ(δ) (δ − 1) ≤ 0,   one of the two zero at every particle
 //! ```
 //!
-//! v* has gravity and viscosity. The projection makes the pressure; the correction moves particles alone, so that the volume keeps
-//! without energy. P is minus the adjoint of C: momentum is kept to rounding, and both are least squares over values that are
-//! not negative, which [`solve`](Scheme::step) does by projected gradients with momentum.
+//! v* has gravity and viscosity. χ(δ), a part of an excess or of a lack of density, brings the volume back in some five or twenty
+//! steps: what an unfinished solution leaves, and what C, which lets the fluid expand, does not see. P is minus the adjoint of C,
+//! forces between particles are central, and positions move along velocities alone: momentum and angular momentum are kept to rounding.
+//! It is least squares over values that are not negative, solved by projected gradients with momentum.
 //!
 //! | file | what | source |
 //! |---|---|---|
-//! | `shape`, `pressure` | the constraints, in pairs | J. Bender, D. Koschier, *Divergence-free smoothed particle hydrodynamics*, Symp. Computer Animation (2015) 147; M. Ihmsen, J. Cornelis, B. Solenthaler, C. Horvath, M. Teschner, *Implicit incompressible SPH*, IEEE Trans. Vis. Comput. Graph. 20 (2014) 426 |
+//! | `shape`, `pressure` | the constraint, in pairs | J. Bender, D. Koschier, *Divergence-free smoothed particle hydrodynamics*, Symp. Computer Animation (2015) 147; M. Ihmsen, J. Cornelis, B. Solenthaler, C. Horvath, M. Teschner, *Implicit incompressible SPH*, IEEE Trans. Vis. Comput. Graph. 20 (2014) 426 |
 //! | `wall` | the pressure of wall particles | S. Adami, X. Y. Hu, N. A. Adams, J. Comput. Phys. 231 (2012) 7057 |
 //! | `solve` | projected gradients with momentum, Jacobi's diagonal | A. Beck, M. Teboulle, SIAM J. Imaging Sci. 2 (2009) 183; restarts: B. O'Donoghue, E. Candès, Found. Comput. Math. 15 (2015) 715 |
-//! | `step` | velocities, then positions | the split of S. J. Cummins, M. Rudman, J. Comput. Phys. 152 (1999) 584, with the shift of density in positions |
+//! | `step` | velocities, then positions | S. J. Cummins, M. Rudman, J. Comput. Phys. 152 (1999) 584; χ as J. Baumgarte, Comput. Methods Appl. Mech. Eng. 1 (1972) 1 stabilises a constraint |
 //!
 //! The terms of a pair are written for a [`Lane`](crate::Lane): for one scalar, as [`OneByOne`] sums them here, or for several pairs side by
 //! side, as another [`Summation`] may. Particles are numbered fluid first, then walls, which stand still, several layers deep, as
@@ -34,7 +34,6 @@ mod summation;
 mod wall;
 
 pub use shape::{Shape, ShapeSums, Surroundings};
-pub use solve::Constraint;
 pub use step::{Outcome, Particles};
 pub use summation::{OneByOne, Summation};
 pub use wall::{Wall, WallSums};
@@ -68,24 +67,20 @@ pub struct Scheme<T, const D: usize, W> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Tuning<T> {
-    /// The mean of |C| Δt at which the projection ends: 8·10⁻⁵. At 10⁻³ the front of a dam break is 3 % off.
-    pub projection_tolerance: T,
-    /// The mean excess of density at which the correction ends: 10⁻³.
-    pub correction_tolerance: T,
-    /// The part of the density that a step adds by free fall, g Δt²/Δx, that is left at most. An average over all particles is
-    /// blind to it where the fluid is deep: one row in forty is pressed, and the mean is a fortieth.
-    pub fall_tolerance: T,
-    /// Iterations of each at least.
-    pub least_iterations: [u32; 2],
-    /// Iterations of each at most.
+    /// What the constraint may be off in a step in one row of particles, and so much more for each spacing that the fastest particle
+    /// moves: 4·10⁻⁴ and 10⁻². The mean over all at which the solution ends is that over the number of rows, the D-th root of the
+    /// number of particles: in a deep fluid that begins to fall, the lowest row alone is pressed.
+    pub tolerances: [T; 2],
+    /// Iterations at least.
+    pub least_iterations: u32,
+    /// Iterations at most.
     pub most_iterations: u32,
-    /// χ, the part of a lack of density that a step may close: without it the fluid swells, for C ≤ 0 lets it expand. 0.05.
+    /// χ of a lack of density: the part that a step may close, without which the fluid swells. 0.05.
     pub closing: T,
-    /// ω of the projection and of the correction: one over the greatest eigenvalue, see [`Scheme::estimate_relaxation`].
-    pub relaxation: [T; 2],
-    /// The part of the last values that each begins with: 1 and 0.7. From all of it, the correction overshoots: four times the
-    /// kinetic energy at rest.
-    pub warm_start: [T; 2],
+    /// χ of an excess of density: the part that a step opens. 0.2.
+    pub opening: T,
+    /// ω, one over the greatest eigenvalue, see [`Scheme::estimate_relaxation`].
+    pub relaxation: T,
     /// Spacings that the fastest particle moves in a step: 0.4.
     pub courant: T,
     /// g Δt²/Δx at most: 0.003. It binds at rest, where nothing else does.
@@ -95,14 +90,12 @@ pub struct Tuning<T> {
 impl<T: Scalar> Default for Tuning<T> {
     fn default() -> Self {
         Self {
-            projection_tolerance: T::from_f64(8e-5),
-            correction_tolerance: T::from_f64(1e-3),
-            fall_tolerance: T::from_f64(0.1),
-            least_iterations: [2, 1],
+            tolerances: [T::from_f64(4e-4), T::from_f64(1e-2)],
+            least_iterations: 2,
             most_iterations: 200,
             closing: T::ratio(1, 20),
-            relaxation: [T::ratio(1, 5); 2],
-            warm_start: [T::ONE, T::ratio(7, 10)],
+            opening: T::ratio(1, 5),
+            relaxation: T::ratio(1, 5),
             courant: T::ratio(2, 5),
             acceleration: T::ratio(3, 1000),
         }

@@ -14,7 +14,8 @@ pub struct Shape<T, const D: usize> {
     pub density: T,
     /// Σ V ∇W over fluid and walls.
     pub gradient: [T; D],
-    /// Σ |V ∇W|² over the fluid + |Σ V ∇W|²: −∂C_i(P(q))/∂q_i but for walls.
+    /// Σ |V ∇W|² over the fluid + |Σ V ∇W|², which is −∂C_i(P(q))/∂q_i without walls, and (Σ V W_iw s_w)², a bound of what walls
+    /// add; s is [`Wall::stiffness`](super::Wall::stiffness).
     pub diagonal: T,
     /// Gravity, viscosity, and the push of the weight that walls hold.
     pub force: [T; D],
@@ -44,13 +45,19 @@ pub struct ShapeSums<T, A: Lane<T>, const D: usize> {
     density: A::Sum,
     gradient: [A::Sum; D],
     squares: A::Sum,
+    stiffness: A::Sum,
     force: [A::Sum; D],
 }
 
 impl<T: Scalar, A: Lane<T>, const D: usize> ShapeSums<T, A, D> {
     /// Without neighbours.
-    pub const EMPTY: Self =
-        Self { density: A::EMPTY, gradient: [A::EMPTY; D], squares: A::EMPTY, force: [A::EMPTY; D] };
+    pub const EMPTY: Self = Self {
+        density: A::EMPTY,
+        gradient: [A::EMPTY; D],
+        squares: A::EMPTY,
+        stiffness: A::EMPTY,
+        force: [A::EMPTY; D],
+    };
 
     /// Adds the sums over other neighbours of the same particle.
     #[inline(always)]
@@ -58,6 +65,7 @@ impl<T: Scalar, A: Lane<T>, const D: usize> ShapeSums<T, A, D> {
         A::join(&mut self.density, other.density);
         join_vector::<T, A, D>(&mut self.gradient, &other.gradient);
         A::join(&mut self.squares, other.squares);
+        A::join(&mut self.stiffness, other.stiffness);
         join_vector::<T, A, D>(&mut self.force, &other.force);
     }
 }
@@ -84,9 +92,15 @@ impl<T: Scalar, const D: usize, W: Influence<T, D>> Scheme<T, D, W> {
         }
     }
 
-    /// Adds walls, with the weight that each holds.
+    /// Adds walls, with the weight that each holds and its stiffness.
     #[inline(always)]
-    pub fn add_wall<A: Lane<T>>(&self, sums: &mut ShapeSums<T, A, D>, head: A, at: &Surroundings<A, D>) {
+    pub fn add_wall<A: Lane<T>>(
+        &self,
+        sums: &mut ShapeSums<T, A, D>,
+        [head, stiffness]: [A; 2],
+        at: &Surroundings<A, D>,
+    ) {
+        (stiffness * at.influence).add_to(&mut sums.stiffness);
         at.influence.add_to(&mut sums.density);
         add_vector::<T, A, D>(&mut sums.gradient, &at.gradient, A::ONE);
         add_vector::<T, A, D>(&mut sums.force, &at.gradient, -head);
@@ -96,10 +110,11 @@ impl<T: Scalar, const D: usize, W: Influence<T, D>> Scheme<T, D, W> {
     #[inline(always)]
     pub fn total_shape<A: Lane<T>>(&self, sums: ShapeSums<T, A, D>) -> Shape<T, D> {
         let gradient = total_vector::<T, A, D>(&sums.gradient);
+        let stiffness = A::total(sums.stiffness);
         Shape {
             density: A::total(sums.density),
             gradient,
-            diagonal: A::total(sums.squares) + norm_squared(&gradient),
+            diagonal: A::total(sums.squares) + norm_squared(&gradient) + stiffness * stiffness,
             force: add(&total_vector::<T, A, D>(&sums.force), &self.gravity),
         }
     }

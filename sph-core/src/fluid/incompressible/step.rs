@@ -1,12 +1,9 @@
-//! One step in time: forces, projection, correction, and the shapes at the new positions.
+//! One step in time: forces, projection, and the shapes at the new positions.
 
-use super::{Constraint, Scheme, Shape, Summation};
+use super::{Scheme, Shape, Summation, Tuning};
 use crate::lane::{add, scale};
 use crate::vector::norm_squared;
 use crate::{Error, Influence, Parameter, Scalar, check};
-
-/// The most that the correction moves a particle along an axis, in spacings.
-const LONGEST_SHIFT: (i32, i32) = (1, 10);
 
 /// The particles, in slices that the caller owns: n fluid particles first, then walls.
 ///
@@ -19,8 +16,6 @@ pub struct Particles<'a, T, const D: usize, S> {
     pub velocities: &'a mut [[T; D]],
     /// p of the fluid.
     pub pressures: &'a mut [T],
-    /// s, the values of the last correction; zero to begin with.
-    pub shifts: &'a mut [T],
     /// Shapes of the fluid: their number says how many particles are fluid.
     pub shapes: &'a mut [Shape<T, D>],
     /// A vector for each fluid particle.
@@ -40,9 +35,7 @@ pub struct Particles<'a, T, const D: usize, S> {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Outcome {
     /// Iterations of the projection.
-    pub projection: u32,
-    /// Iterations of the correction.
-    pub correction: u32,
+    pub iterations: u32,
     /// Particles that were put back into the box.
     pub put_back: u32,
 }
@@ -53,7 +46,7 @@ impl<T: Scalar, const D: usize, S> Particles<'_, T, D, S> {
         let (all, fluid) = (self.positions.len(), self.shapes.len());
         check::length(self.velocities.len(), fluid, Parameter::Velocity)?;
         check::length(self.pushes.len(), fluid, Parameter::Velocity)?;
-        for numbers in [&*self.pressures, self.shifts, self.rates, self.sources, self.trial] {
+        for numbers in [&*self.pressures, self.rates, self.sources, self.trial] {
             check::length(numbers.len(), fluid, Parameter::Value)?;
         }
         if fluid > all { check::length(all, fluid, Parameter::Position) } else { Ok(()) }
@@ -89,80 +82,55 @@ impl<T: Scalar, const D: usize, W: Influence<T, D>> Scheme<T, D, W> {
         dt: T,
     ) -> Result<Outcome, Error> {
         particles.check()?;
-        let projection = self.project(particles, dt)?;
-        let correction = self.correct(particles, dt)?;
+        let iterations = self.project(particles, dt)?;
         let put_back = self.drift(particles, dt);
         self.prepare(particles)?;
-        Ok(Outcome { projection, correction, put_back })
+        Ok(Outcome { iterations, put_back })
     }
 
     /// v′ = v + Δt (forces + P(q))
     fn project<S: Summation<T, D, W>>(
         &self,
-        particles: &mut Particles<T, D, S>,
+        particles: &mut Particles<'_, T, D, S>,
         dt: T,
     ) -> Result<u32, Error> {
-        let tuning = &self.tuning;
-        for (velocity, shape) in particles.velocities.iter_mut().zip(particles.shapes.iter()) {
+        let Particles { positions, velocities, pressures, shapes, sources, sums, .. } = particles;
+        for (velocity, shape) in velocities.iter_mut().zip(shapes.iter()) {
             *velocity = add(velocity, &scale(&shape.force, dt));
         }
-        self.source_of_velocities(particles, Constraint::Projection)?;
-        for (source, shape) in particles.sources.iter_mut().zip(particles.shapes.iter()) {
-            let lack = (T::ONE - shape.density).positive_part();
-            *source = dt * *source - tuning.closing * lack;
+        sums.rates(self, positions, shapes, velocities, sources)?;
+        let Tuning { closing, opening, .. } = self.tuning;
+        for (source, shape) in sources.iter_mut().zip(shapes.iter()) {
+            let excess = shape.density - T::ONE;
+            *source = dt * *source + if excess > T::ZERO { opening } else { closing } * excess;
         }
         // the values are p/ρ₀ Δt², as b is C Δt
         let square = dt * dt;
-        let start = square * tuning.warm_start[0] / self.rest_density;
-        particles.pressures.iter_mut().for_each(|value| *value = *value * start);
-        let fall = norm_squared(&self.gravity).sqrt() * square / self.spacing;
-        let mut tolerance = tuning.projection_tolerance;
-        if fall > T::ZERO {
-            tolerance = tolerance.min(tuning.fall_tolerance * fall);
-        }
-        let iterations = self.solve(particles, Constraint::Projection, tolerance)?;
+        let (begin, end) = (square / self.rest_density, self.rest_density / square);
+        pressures.iter_mut().for_each(|value| *value = *value * begin);
+        let iterations = self.solve(particles, self.tolerance(particles, dt))?;
         for (velocity, push) in particles.velocities.iter_mut().zip(particles.pushes.iter()) {
             *velocity = add(velocity, &scale(push, T::ONE / dt));
         }
-        let end = self.rest_density / square;
         particles.pressures.iter_mut().for_each(|value| *value = *value * end);
         Ok(iterations)
     }
 
-    /// s and P(s), with which [`drift`](Self::drift) moves particles.
-    fn correct<S: Summation<T, D, W>>(
-        &self,
-        particles: &mut Particles<T, D, S>,
-        dt: T,
-    ) -> Result<u32, Error> {
-        let start = self.tuning.warm_start[1];
-        self.source_of_velocities(particles, Constraint::Correction)?;
-        for (source, shape) in particles.sources.iter_mut().zip(particles.shapes.iter()) {
-            *source = shape.density - T::ONE + dt * *source;
-        }
-        particles.shifts.iter_mut().for_each(|value| *value = *value * start);
-        self.solve(particles, Constraint::Correction, self.tuning.correction_tolerance)
+    /// The mean of |r| at which the solution ends: of each row what [`Tuning`] allows one, over the rows.
+    fn tolerance<S>(&self, particles: &Particles<'_, T, D, S>, dt: T) -> f64 {
+        let rows = libm::pow(particles.shapes.len() as f64, 1.0 / D as f64);
+        let moved = particles.greatest_speed() * dt / self.spacing;
+        let [at_rest, in_flow] = self.tuning.tolerances;
+        (at_rest + in_flow * moved).to_f64() / rows.max(1.0)
     }
 
-    fn source_of_velocities<S: Summation<T, D, W>>(
-        &self,
-        particles: &mut Particles<T, D, S>,
-        constraint: Constraint,
-    ) -> Result<(), Error> {
-        let Particles { positions, velocities, shapes, sources, sums, .. } = particles;
-        sums.rates(self, constraint, positions, shapes, velocities, sources)
-    }
-
-    /// x′ = x + v Δt + P(s), the last no longer than a tenth of the spacing, and inside the box. Returns how many were put back.
-    fn drift<S>(&self, particles: &mut Particles<T, D, S>, dt: T) -> u32 {
-        let most = self.spacing * T::ratio(LONGEST_SHIFT.0, LONGEST_SHIFT.1);
+    /// x′ = x + v Δt, inside the box. Returns how many were put back.
+    fn drift<S>(&self, particles: &mut Particles<'_, T, D, S>, dt: T) -> u32 {
         let mut put_back = 0;
-        let moving = particles.velocities.iter_mut().zip(particles.pushes.iter());
-        for (position, (velocity, push)) in particles.positions.iter_mut().zip(moving) {
+        for (position, velocity) in particles.positions.iter_mut().zip(particles.velocities.iter_mut()) {
             let mut is_outside = false;
             for axis in 0..D {
-                let shift = push[axis].max(-most).min(most);
-                let moved = position[axis] + (dt * velocity[axis] + shift);
+                let moved = position[axis] + dt * velocity[axis];
                 let [lower, upper] = self.inside[axis];
                 position[axis] = moved;
                 if moved < lower || moved > upper {

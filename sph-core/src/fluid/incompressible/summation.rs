@@ -1,6 +1,6 @@
 //! How the sums of all particles are done.
 
-use super::{Constraint, Scheme, Shape, ShapeSums, Surroundings, Wall, WallSums};
+use super::{Scheme, Shape, ShapeSums, Surroundings, Wall, WallSums};
 use crate::fluid::wcsph::{Pairs, Search};
 use crate::lane::scale;
 use crate::{Accumulator, Error, Influence, Neighbour, Scalar};
@@ -21,28 +21,26 @@ pub trait Summation<T, const D: usize, W> {
         shapes: &mut [Shape<T, D>],
     ) -> Result<(), Error>;
 
-    /// P of the fluid, from the values of the fluid and, in the projection, of the walls.
+    /// P of the fluid, from the pressures of the fluid and, by them, of the walls.
     ///
     /// # Errors
     /// As [`shapes`](Self::shapes).
     fn pushes(
         &mut self,
         scheme: &Scheme<T, D, W>,
-        constraint: Constraint,
         positions: &[[T; D]],
         shapes: &[Shape<T, D>],
         values: &[T],
         pushes: &mut [[T; D]],
     ) -> Result<(), Error>;
 
-    /// C of the fluid, from its velocities; in the projection, with what flows into walls.
+    /// C of the fluid, from its velocities, with what flows into walls.
     ///
     /// # Errors
     /// As [`shapes`](Self::shapes).
     fn rates(
         &mut self,
         scheme: &Scheme<T, D, W>,
-        constraint: Constraint,
         positions: &[[T; D]],
         shapes: &[Shape<T, D>],
         velocities: &[[T; D]],
@@ -100,7 +98,7 @@ impl<T: Scalar, const D: usize, W: Influence<T, D>, S: Search<T, D>> Summation<T
             let mut sums = WallSums::<T, T>::EMPTY;
             scheme.each_around(&pairs, fluid.wrapping_add(k), |j, at| {
                 if j < fluid {
-                    scheme.add_to_wall(&mut sums, &at.offset, at.influence);
+                    scheme.add_to_wall(&mut sums, at);
                 }
             });
             *wall = scheme.total_wall(sums);
@@ -111,7 +109,7 @@ impl<T: Scalar, const D: usize, W: Influence<T, D>, S: Search<T, D>> Summation<T
                 if let Some(other) = velocities.get(j) {
                     scheme.add_fluid(&mut sums, own, other, at);
                 } else if let Some(wall) = self.walls.get(j.wrapping_sub(fluid)) {
-                    scheme.add_wall(&mut sums, wall.head, at);
+                    scheme.add_wall(&mut sums, [wall.head, wall.stiffness], at);
                 }
             });
             *shape = scheme.total_shape(sums);
@@ -122,7 +120,6 @@ impl<T: Scalar, const D: usize, W: Influence<T, D>, S: Search<T, D>> Summation<T
     fn pushes(
         &mut self,
         scheme: &Scheme<T, D, W>,
-        constraint: Constraint,
         positions: &[[T; D]],
         shapes: &[Shape<T, D>],
         values: &[T],
@@ -132,13 +129,11 @@ impl<T: Scalar, const D: usize, W: Influence<T, D>, S: Search<T, D>> Summation<T
         let pairs = self.search.find(&scheme.layout, positions, fluid)?;
         for (k, (value, wall)) in self.wall_values.iter_mut().zip(self.walls.iter()).enumerate() {
             let mut sum = T::Sum::ZERO;
-            if constraint == Constraint::Projection {
-                scheme.each_around(&pairs, fluid.wrapping_add(k), |j, at| {
-                    if let Some(&value) = values.get(j) {
-                        sum.add(at.influence * value);
-                    }
-                });
-            }
+            scheme.each_around(&pairs, fluid.wrapping_add(k), |j, at| {
+                if let Some(&value) = values.get(j) {
+                    sum.add(at.influence * value);
+                }
+            });
             *value = sum.total() * wall.weight;
         }
         for (i, ((push, shape), &own)) in pushes.iter_mut().zip(shapes).zip(values).enumerate() {
@@ -157,7 +152,6 @@ impl<T: Scalar, const D: usize, W: Influence<T, D>, S: Search<T, D>> Summation<T
     fn rates(
         &mut self,
         scheme: &Scheme<T, D, W>,
-        constraint: Constraint,
         positions: &[[T; D]],
         shapes: &[Shape<T, D>],
         velocities: &[[T; D]],
@@ -167,13 +161,11 @@ impl<T: Scalar, const D: usize, W: Influence<T, D>, S: Search<T, D>> Summation<T
         let pairs = self.search.find(&scheme.layout, positions, fluid)?;
         for (k, (value, wall)) in self.wall_values.iter_mut().zip(self.walls.iter()).enumerate() {
             let mut flow = T::Sum::ZERO;
-            if constraint == Constraint::Projection {
-                scheme.each_around(&pairs, fluid.wrapping_add(k), |j, at| {
-                    if let Some(velocity) = velocities.get(j) {
-                        scheme.add_flow::<T>(&mut flow, velocity, &at.gradient);
-                    }
-                });
-            }
+            scheme.each_around(&pairs, fluid.wrapping_add(k), |j, at| {
+                if let Some(velocity) = velocities.get(j) {
+                    scheme.add_flow::<T>(&mut flow, velocity, &at.gradient);
+                }
+            });
             *value = -(flow.total() * wall.weight);
         }
         for (i, ((rate, shape), own)) in rates.iter_mut().zip(shapes).zip(velocities).enumerate() {

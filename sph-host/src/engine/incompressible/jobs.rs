@@ -15,6 +15,16 @@ pub(super) struct Scales<T> {
     pub(super) gradient: T,
 }
 
+/// s x
+#[inline(always)]
+fn scaled<I: Isa<T>, T: Real, const D: usize>(x: &[I::Reg; D], s: I::Reg) -> [I::Reg; D] {
+    let mut scaled = *x;
+    for axis in 0..D {
+        scaled[axis] = scaled[axis] * s;
+    }
+    scaled
+}
+
 /// Takes the neighbours of some walls down, and works out what walls know.
 pub(super) struct SumWalls<'a, T, const D: usize> {
     pub(super) scheme: &'a Host<T, D>,
@@ -31,15 +41,19 @@ impl<T: Real, const D: usize> Job<T> for SumWalls<'_, T, D> {
     fn run<I: Isa<T>>(self, isa: I) {
         let Self { scheme, scales, near, contacts, out } = self;
         contacts.add(isa, near, scales.influence, scales.gradient);
-        let scale = I::Reg::splat(scales.influence);
+        let [influence_scale, gradient_scale] = [scales.influence, scales.gradient].map(I::Reg::splat);
         for (out, spans) in out.iter_mut().zip(&near.spans) {
-            let blocks = near.blocks(&spans[0], &near.profiles);
+            let profiles = near.blocks(&spans[0], &near.profiles);
+            let slopes = near.blocks(&spans[0], &near.slopes);
             let mut parts = I::parts(WallSums::<T, I::Reg>::EMPTY);
             for part in 0..I::PARTS {
                 let mut sums = WallSums::<T, I::Reg>::EMPTY;
-                for block in 0..blocks.len() {
-                    let (_, offset, profile) = blocks.part::<I>(block, part);
-                    scheme.add_to_wall(&mut sums, &offset, profile * scale);
+                for block in 0..profiles.len() {
+                    let (_, _, profile) = profiles.part::<I>(block, part);
+                    let (_, offset, slope) = slopes.part::<I>(block, part);
+                    let gradient = scaled::<I, T, D>(&offset, slope * gradient_scale);
+                    let at = Surroundings { offset, influence: profile * influence_scale, gradient };
+                    scheme.add_to_wall(&mut sums, &at);
                 }
                 parts.as_mut()[part] = sums;
             }
@@ -57,7 +71,7 @@ impl<T: Real, const D: usize> Job<T> for SumWalls<'_, T, D> {
 pub(super) struct SumShapes<'a, T, const D: usize> {
     pub(super) scheme: &'a Host<T, D>,
     pub(super) scales: Scales<T>,
-    /// Velocities of the fluid, heads of walls.
+    /// Velocities of the fluid, stiffnesses and heads of walls.
     pub(super) carried: &'a Carried<T>,
     pub(super) near: &'a Neighbourhoods<T, D>,
     pub(super) contacts: &'a mut Contacts<T, D>,
@@ -84,17 +98,13 @@ impl<T: Real, const D: usize> SumShapes<'_, T, D> {
         for block in 0..profiles.len() {
             let (_, _, profile) = profiles.part::<I>(block, part);
             let (places, offset, slope) = slopes.part::<I>(block, part);
-            let slope = slope * gradient_scale;
-            let mut gradient = offset;
-            for axis in 0..D {
-                gradient[axis] = gradient[axis] * slope;
-            }
+            let gradient = scaled::<I, T, D>(&offset, slope * gradient_scale);
             let at = Surroundings { offset, influence: profile * influence_scale, gradient };
             let (velocity, number) = self.carried.at::<I, D>(isa, places);
             if FLUID {
                 scheme.add_fluid(sums, own, &velocity, &at);
             } else {
-                scheme.add_wall(sums, number, &at);
+                scheme.add_wall(sums, [number, velocity[0]], &at);
             }
         }
     }
@@ -172,8 +182,6 @@ pub(super) struct SumPushes<'a, T, const D: usize> {
     pub(super) contacts: &'a Contacts<T, D>,
     pub(super) shapes: &'a [Shape<T, D>],
     pub(super) values: &'a [T],
-    /// Whether walls have values.
-    pub(super) of_walls: bool,
     pub(super) out: &'a mut [[T; D]],
 }
 
@@ -182,12 +190,12 @@ impl<T: Real, const D: usize> Job<T> for SumPushes<'_, T, D> {
 
     #[inline(always)]
     fn run<I: Isa<T>>(self, isa: I) {
-        let Self { scheme, carried, contacts, shapes, values, of_walls, out } = self;
+        let Self { scheme, carried, contacts, shapes, values, out } = self;
         for (k, spans) in contacts.spans.iter().enumerate() {
             let mut parts = I::parts([I::Reg::EMPTY; D]);
             for part in 0..I::PARTS {
                 let mut sums = [I::Reg::EMPTY; D];
-                for span in &spans[..if of_walls { 2 } else { 1 }] {
+                for span in spans {
                     let blocks = contacts.blocks(span);
                     for block in 0..blocks.len() {
                         let gradient = blocks.gradient::<I>(block, part);
@@ -218,8 +226,6 @@ pub(super) struct SumRates<'a, T, const D: usize> {
     pub(super) contacts: &'a Contacts<T, D>,
     pub(super) shapes: &'a [Shape<T, D>],
     pub(super) velocities: &'a [[T; D]],
-    /// Whether walls add to it.
-    pub(super) of_walls: bool,
     pub(super) out: &'a mut [T],
 }
 
@@ -228,7 +234,7 @@ impl<T: Real, const D: usize> Job<T> for SumRates<'_, T, D> {
 
     #[inline(always)]
     fn run<I: Isa<T>>(self, isa: I) {
-        let Self { scheme, carried, contacts, shapes, velocities, of_walls, out } = self;
+        let Self { scheme, carried, contacts, shapes, velocities, out } = self;
         for (k, spans) in contacts.spans.iter().enumerate() {
             let mut parts = I::parts([I::Reg::EMPTY; 2]);
             for part in 0..I::PARTS {
@@ -239,12 +245,10 @@ impl<T: Real, const D: usize> Job<T> for SumRates<'_, T, D> {
                     let (velocity, _) = carried.at::<I, D>(isa, blocks.places::<I>(block, part));
                     scheme.add_flow::<I::Reg>(&mut flow, &velocity, &gradient);
                 }
-                if of_walls {
-                    let blocks = contacts.blocks(&spans[1]);
-                    for block in 0..blocks.len() {
-                        let (_, value) = carried.at::<I, D>(isa, blocks.places::<I>(block, part));
-                        (blocks.influence::<I>(block, part) * value).add_to(&mut from_walls);
-                    }
+                let blocks = contacts.blocks(&spans[1]);
+                for block in 0..blocks.len() {
+                    let (_, value) = carried.at::<I, D>(isa, blocks.places::<I>(block, part));
+                    (blocks.influence::<I>(block, part) * value).add_to(&mut from_walls);
                 }
                 parts.as_mut()[part] = [flow, from_walls];
             }

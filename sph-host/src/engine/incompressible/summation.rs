@@ -4,7 +4,7 @@
 use std::ops::Range;
 
 use sph_core::Error;
-use sph_core::fluid::incompressible::{Constraint, Scheme, Shape, Summation, Wall};
+use sph_core::fluid::incompressible::{Scheme, Shape, Summation, Wall};
 
 use super::contacts::Contacts;
 use super::jobs::{Scales, SumOfWalls, SumPushes, SumRates, SumShapes, SumWalls};
@@ -213,7 +213,9 @@ impl<T: Real, const D: usize> Summation<T, D, AnyInfluence<T, D>> for SimdSummat
         self.find_walls(scheme);
         self.carried.set_vectors(velocities);
         let walls = std::mem::take(&mut self.walls);
-        self.carry_of_walls(|k| walls[k].head);
+        for (&wall, known) in self.rows.wet.iter().zip(&walls) {
+            self.carried.0[wall as usize] = [known.stiffness, T::ZERO, T::ZERO, known.head];
+        }
         self.walls = walls;
         self.carry_to_images(fluid);
         let (scales, level, carried) = (self.scales(scheme), self.kernel.level, &self.carried);
@@ -240,25 +242,21 @@ impl<T: Real, const D: usize> Summation<T, D, AnyInfluence<T, D>> for SimdSummat
     fn pushes(
         &mut self,
         scheme: &Host<T, D>,
-        constraint: Constraint,
         _: &[[T; D]],
         shapes: &[Shape<T, D>],
         values: &[T],
         pushes: &mut [[T; D]],
     ) -> Result<(), Error> {
-        let of_walls = constraint == Constraint::Projection;
         self.carried.set_numbers(values);
         self.carry_to_images(values.len());
-        if of_walls {
-            self.sum_walls(scheme, true);
-            self.carry_to_images(values.len());
-        }
+        self.sum_walls(scheme, true);
+        self.carry_to_images(values.len());
         let (carried, level) = (&self.carried, self.kernel.level);
         let work = self.of_fluid.iter().zip(pushes.chunks_mut(LIST_CHUNK));
         parallel::for_each(work, |chunk, (contacts, out)| {
             let range = chunk * LIST_CHUNK..chunk * LIST_CHUNK + out.len();
             let (shapes, values) = (&shapes[range.clone()], &values[range]);
-            T::dispatch(level, SumPushes { scheme, carried, contacts, shapes, values, of_walls, out });
+            T::dispatch(level, SumPushes { scheme, carried, contacts, shapes, values, out });
         });
         Ok(())
     }
@@ -266,25 +264,21 @@ impl<T: Real, const D: usize> Summation<T, D, AnyInfluence<T, D>> for SimdSummat
     fn rates(
         &mut self,
         scheme: &Host<T, D>,
-        constraint: Constraint,
         _: &[[T; D]],
         shapes: &[Shape<T, D>],
         velocities: &[[T; D]],
         rates: &mut [T],
     ) -> Result<(), Error> {
-        let of_walls = constraint == Constraint::Projection;
         self.carried.set_vectors(velocities);
         self.carry_to_images(velocities.len());
-        if of_walls {
-            self.sum_walls(scheme, false);
-            self.carry_to_images(velocities.len());
-        }
+        self.sum_walls(scheme, false);
+        self.carry_to_images(velocities.len());
         let (carried, level) = (&self.carried, self.kernel.level);
         let work = self.of_fluid.iter().zip(rates.chunks_mut(LIST_CHUNK));
         parallel::for_each(work, |chunk, (contacts, out)| {
             let range = chunk * LIST_CHUNK..chunk * LIST_CHUNK + out.len();
             let (shapes, velocities) = (&shapes[range.clone()], &velocities[range]);
-            T::dispatch(level, SumRates { scheme, carried, contacts, shapes, velocities, of_walls, out });
+            T::dispatch(level, SumRates { scheme, carried, contacts, shapes, velocities, out });
         });
         Ok(())
     }
