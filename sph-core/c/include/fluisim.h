@@ -59,9 +59,9 @@ typedef int32_t fluisim_q16;
 #define FLUISIM_CELLS_3D(width, height, depth) (FLUISIM_CELLS_2D(width, height) * ((uint32_t)(depth) + 1u))
 
 /* The memory of a fluid of at most `capacity` particles in at most `cells` cells, in bytes: a constant expression. */
-#define FLUISIM_F32_2D_BYTES(capacity, cells) FLUISIM_BYTES(capacity, cells, 36u)
+#define FLUISIM_F32_2D_BYTES(capacity, cells) FLUISIM_BYTES(capacity, cells, 32u)
 #define FLUISIM_Q16_2D_BYTES(capacity, cells) FLUISIM_BYTES(capacity, cells, 24u)
-#define FLUISIM_F32_3D_BYTES(capacity, cells) FLUISIM_BYTES(capacity, cells, 48u)
+#define FLUISIM_F32_3D_BYTES(capacity, cells) FLUISIM_BYTES(capacity, cells, 44u)
 #define FLUISIM_Q16_3D_BYTES(capacity, cells) FLUISIM_BYTES(capacity, cells, 36u)
 #define FLUISIM_BYTES(capacity, cells, particle) \
     ((size_t)16 + 6u * sizeof(void *) + (size_t)(particle) * (capacity) + (size_t)2 * (cells))
