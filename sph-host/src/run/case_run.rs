@@ -39,8 +39,12 @@ impl<'a, const D: usize> CaseRun<'a, D> {
     pub(super) fn new(case: &'a dyn Case<D>, parameters: &Parameters) -> Result<Self, Error> {
         let Parameters { case: name, solver, scalar, kernel, every, time, .. } = *parameters;
         let method = Method { solver, scalar, kernel };
-        let setup = case.setup();
+        let mut setup = case.setup();
         let simulation = method.simulation(&setup, case.inside(), every / ROWS_A_FRAME as f64)?;
+        if method.solver == Solver::Incompressible {
+            // what it keeps is counted from where its particles have settled
+            setup.positions = simulation.snapshot().positions;
+        }
         let diagnostics = Diagnostics::new(&setup, case.inside(), method.has_equation_of_state());
         let columns = COLUMNS.iter().chain(name.columns()).chain(&LAST_COLUMNS).chain(&COUNTS);
         Ok(Self {

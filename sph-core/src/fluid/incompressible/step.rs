@@ -5,6 +5,9 @@ use crate::lane::{add, scale};
 use crate::vector::norm_squared;
 use crate::{Error, Influence, Parameter, Scalar, check};
 
+/// What the constraint may be off in the mean at most, however few rows there are.
+const LARGEST_TOLERANCE: f64 = 8e-5;
+
 /// The particles, in slices that the caller owns: n fluid particles first, then walls.
 ///
 /// The caller sets positions, velocities and, where they are known, pressures; all else is worked out from them.
@@ -121,7 +124,7 @@ impl<T: Scalar, const D: usize, W: Influence<T, D>> Scheme<T, D, W> {
         let rows = libm::pow(particles.shapes.len() as f64, 1.0 / D as f64);
         let moved = particles.greatest_speed() * dt / self.spacing;
         let [at_rest, in_flow] = self.tuning.tolerances;
-        (at_rest + in_flow * moved).to_f64() / rows.max(1.0)
+        ((at_rest + in_flow * moved).to_f64() / rows.max(1.0)).min(LARGEST_TOLERANCE)
     }
 
     /// x′ = x + v Δt, inside the box. Returns how many were put back.
