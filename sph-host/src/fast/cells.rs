@@ -134,9 +134,9 @@ impl<const D: usize> BandLayout<D> {
         let (z, z_squares) = self.bands(2, lower, upper);
         let rows = if D > 1 { self.counts[1] } else { 1 };
         let (mut rests, mut starts) = ([-1.0_f32; ROWS], [0_u32; ROWS]);
-        for dz in 0..3_u32 {
+        for dz in Self::LAYERS {
             for dy in 0..3_u32 {
-                let k = (3 * dz + dy) as usize;
+                let k = (3 * (dz - Self::LAYERS.start) + dy) as usize;
                 rests[k] = 1.0 - y_squares[dy as usize] - z_squares[dz as usize];
                 let row = (z + dz).wrapping_sub(1).wrapping_mul(rows).wrapping_add(y + dy).wrapping_sub(1);
                 starts[k] = row.wrapping_mul(self.counts[0]);
@@ -148,7 +148,7 @@ impl<const D: usize> BandLayout<D> {
         let reach = (self.reach * self.inverse[0]) as f32;
         let last = self.counts[0] as i32 - 1;
         let mut runs = [Run::default(); ROWS];
-        for k in 0..ROWS {
+        for k in 0..Self::LANES {
             let half = rests[k].max(0.0).sqrt() * reach + ROUNDING;
             let first = nearest(from - half - 0.5).wrapping_add(left);
             let end = nearest(to + half + 0.5).wrapping_add(right);
@@ -161,8 +161,14 @@ impl<const D: usize> BandLayout<D> {
         runs
     }
 
+    /// The layers of cells from the one below on: in fewer than three dimensions there is one.
+    const LAYERS: std::ops::Range<u32> = if D < 3 { 1..2 } else { 0..3 };
+
     /// How many runs can have anything in them.
-    pub(super) const RUNS: usize = if D < 3 { 6 } else { 9 };
+    pub(super) const RUNS: usize = if D < 3 { 3 } else { 9 };
+
+    /// Rows that are calculated together: a power of two.
+    const LANES: usize = Self::RUNS.next_power_of_two();
 }
 
 /// The nearest whole number to a small one: a cast that compilers make a vector of, as they do not of `as i32`.
