@@ -62,10 +62,33 @@ impl Needed {
     }
 }
 
-/// The neighbours of some consecutive particles in blocks: of each particle the blocks of fluid and of walls.
+/// The neighbours of one particle among all: whole blocks, the last filled up with padding.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Span {
+    /// The first block.
+    pub(super) first: usize,
+    /// How many neighbours there are.
+    pub(super) count: usize,
+}
+
+impl Span {
+    /// The blocks.
+    #[inline(always)]
+    pub(super) fn blocks(self) -> Range<usize> {
+        self.first..self.first + self.count.div_ceil(BLOCK)
+    }
+
+    /// How many blocks have a neighbour in one of their parts: what is behind is padding, which adds nothing.
+    #[inline(always)]
+    pub(super) fn blocks_of_part<T: Copy, I: Isa<T>>(self, part: usize) -> usize {
+        (self.count + BLOCK - 1 - part * I::Reg::WIDTH) / BLOCK
+    }
+}
+
+/// The neighbours of some consecutive particles: of each those in the fluid and in the walls.
 #[derive(Clone, Debug)]
 pub(super) struct Neighbourhoods<T, const D: usize> {
-    pub(super) spans: Vec<[Range<usize>; 2]>,
+    pub(super) spans: Vec<[Span; 2]>,
     /// Records.
     pub(super) places: Vec<u32>,
     /// x_ij, axis by axis.
@@ -140,15 +163,21 @@ impl<T: Real, const D: usize> Neighbourhoods<T, D> {
         }
     }
 
+    /// The blocks of a span, with a list's numbers about them.
+    #[inline(always)]
+    pub(super) fn blocks<'a>(&'a self, span: Span, list: &'a [T]) -> Blocks<'a, T, D> {
+        self.blocks_in(span.blocks(), list)
+    }
+
     /// Some blocks, with a list's numbers about them.
     #[inline(always)]
-    pub(super) fn blocks<'a>(&'a self, span: &Range<usize>, list: &'a [T]) -> Blocks<'a, T, D> {
-        let numbers = &list.as_chunks().0[span.clone()];
+    pub(super) fn blocks_in<'a>(&'a self, range: Range<usize>, list: &'a [T]) -> Blocks<'a, T, D> {
+        let numbers = &list.as_chunks().0[range.clone()];
         let mut offsets = [numbers; D];
         for axis in 0..D {
-            offsets[axis] = &self.offsets[axis].as_chunks().0[span.clone()];
+            offsets[axis] = &self.offsets[axis].as_chunks().0[range.clone()];
         }
-        Blocks { places: &self.places.as_chunks().0[span.clone()], offsets, numbers }
+        Blocks { places: &self.places.as_chunks().0[range], offsets, numbers }
     }
 }
 
@@ -160,12 +189,6 @@ pub(super) struct Blocks<'a, T, const D: usize> {
 }
 
 impl<'a, T: Real, const D: usize> Blocks<'a, T, D> {
-    /// How many blocks there are.
-    #[inline(always)]
-    pub(super) fn len(&self) -> usize {
-        self.places.len()
-    }
-
     /// Of one part of a block the records, the offsets, and the list's numbers.
     #[inline(always)]
     pub(super) fn part<I: Isa<T>>(&self, block: usize, part: usize) -> (&'a [u32], [I::Reg; D], I::Reg) {
@@ -203,7 +226,7 @@ impl<T: Real, P: Iterator<Item = usize>, const D: usize> Job<T> for FindNeighbou
         let mut end = 0;
         for (k, place) in places.enumerate() {
             let x: [I::Reg; D] = records.position(place);
-            let mut spans = [0..0, 0..0];
+            let mut spans = [Span::default(); 2];
             for (span, row) in spans.iter_mut().zip(chunk.row(first + k)) {
                 let start = end;
                 let room = end + (row.len() + 1) * BLOCK;
@@ -231,8 +254,8 @@ impl<T: Real, P: Iterator<Item = usize>, const D: usize> Job<T> for FindNeighbou
                     }
                 }
                 near.fill_up(end, padding);
+                *span = Span { first: start / BLOCK, count: end - start };
                 end = end.next_multiple_of(BLOCK);
-                *span = start / BLOCK..end / BLOCK;
             }
             near.spans.push(spans);
         }

@@ -1,16 +1,14 @@
 //! The neighbours of particles as all sums of a step read them.
 
-use std::ops::Range;
-
 use sph_core::{Arithmetic, Lane};
 
-use crate::engine::neighbourhoods::Neighbourhoods;
+use crate::engine::neighbourhoods::{Neighbourhoods, Span};
 use crate::fast::{BLOCK, Isa, Real, Register};
 
 /// The neighbours of some consecutive particles in blocks: of each particle the blocks of fluid and of walls.
 #[derive(Clone, Debug)]
 pub(super) struct Contacts<T, const D: usize> {
-    pub(super) spans: Vec<[Range<usize>; 2]>,
+    pub(super) spans: Vec<[Span; 2]>,
     /// Records.
     places: Vec<[u32; BLOCK]>,
     /// V W_ij
@@ -49,14 +47,15 @@ impl<T: Real, const D: usize> Contacts<T, D> {
         gradient_scale: T,
     ) {
         let first = self.places.len();
-        let blocks = near.spans.last().map_or(0, |spans| spans[0].end.max(spans[1].end));
-        self.spans
-            .extend(near.spans.iter().map(|spans| spans.clone().map(|s| first + s.start..first + s.end)));
+        let blocks = near.spans.last().map_or(0, |spans| spans[1].blocks().end);
+        self.spans.extend(
+            near.spans.iter().map(|spans| spans.map(|span| Span { first: first + span.first, ..span })),
+        );
         self.places.extend_from_slice(&near.places.as_chunks().0[..blocks]);
         self.influences.resize(first + blocks, [T::ZERO; BLOCK]);
         self.gradients.iter_mut().for_each(|axis| axis.resize(first + blocks, [T::ZERO; BLOCK]));
-        let all = 0..blocks;
-        let (profiles, slopes) = (near.blocks(&all, &near.profiles), near.blocks(&all, &near.slopes));
+        let (profiles, slopes) =
+            (near.blocks_in(0..blocks, &near.profiles), near.blocks_in(0..blocks, &near.slopes));
         let [influence_scale, gradient_scale] = [influence_scale, gradient_scale].map(I::Reg::splat);
         for block in 0..blocks {
             for part in 0..I::PARTS {
@@ -72,9 +71,10 @@ impl<T: Real, const D: usize> Contacts<T, D> {
         }
     }
 
-    /// Some blocks.
+    /// The blocks of a span.
     #[inline(always)]
-    pub(super) fn blocks(&self, span: &Range<usize>) -> Blocks<'_, T, D> {
+    pub(super) fn blocks(&self, span: Span) -> Blocks<'_, T, D> {
+        let span = span.blocks();
         let mut gradients = [&self.gradients[0][span.clone()]; D];
         for axis in 0..D {
             gradients[axis] = &self.gradients[axis][span.clone()];
@@ -91,12 +91,6 @@ pub(super) struct Blocks<'a, T, const D: usize> {
 }
 
 impl<'a, T: Real, const D: usize> Blocks<'a, T, D> {
-    /// How many blocks there are.
-    #[inline(always)]
-    pub(super) fn len(&self) -> usize {
-        self.places.len()
-    }
-
     /// The records of one part of a block.
     #[inline(always)]
     pub(super) fn places<I: Isa<T>>(&self, block: usize, part: usize) -> &'a [u32] {

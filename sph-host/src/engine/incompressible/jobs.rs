@@ -5,7 +5,7 @@ use sph_core::fluid::incompressible::{Shape, ShapeSums, Surroundings, Wall, Wall
 
 use super::contacts::Contacts;
 use super::summation::{Carried, Host};
-use crate::engine::neighbourhoods::Neighbourhoods;
+use crate::engine::neighbourhoods::{Neighbourhoods, Span};
 use crate::fast::{Isa, Job, Real};
 
 /// V σ h^{-D} and V σ h^{-D−2}.
@@ -43,12 +43,12 @@ impl<T: Real, const D: usize> Job<T> for SumWalls<'_, T, D> {
         contacts.add(isa, near, scales.influence, scales.gradient);
         let [influence_scale, gradient_scale] = [scales.influence, scales.gradient].map(I::Reg::splat);
         for (out, spans) in out.iter_mut().zip(&near.spans) {
-            let profiles = near.blocks(&spans[0], &near.profiles);
-            let slopes = near.blocks(&spans[0], &near.slopes);
+            let profiles = near.blocks(spans[0], &near.profiles);
+            let slopes = near.blocks(spans[0], &near.slopes);
             let mut parts = I::parts(WallSums::<T, I::Reg>::EMPTY);
             for part in 0..I::PARTS {
                 let mut sums = WallSums::<T, I::Reg>::EMPTY;
-                for block in 0..profiles.len() {
+                for block in 0..spans[0].blocks_of_part::<T, I>(part) {
                     let (_, _, profile) = profiles.part::<I>(block, part);
                     let (_, offset, slope) = slopes.part::<I>(block, part);
                     let gradient = scaled::<I, T, D>(&offset, slope * gradient_scale);
@@ -85,7 +85,7 @@ impl<T: Real, const D: usize> SumShapes<'_, T, D> {
         &self,
         isa: I,
         own: &[I::Reg; D],
-        span: &std::ops::Range<usize>,
+        span: Span,
         part: usize,
         sums: &mut ShapeSums<T, I::Reg, D>,
     ) {
@@ -95,7 +95,7 @@ impl<T: Real, const D: usize> SumShapes<'_, T, D> {
             [self.scales.influence, self.scales.gradient].map(I::Reg::splat);
         // a copy, which nothing else can write to: its numbers are loaded before the loop
         let scheme = *self.scheme;
-        for block in 0..profiles.len() {
+        for block in 0..span.blocks_of_part::<T, I>(part) {
             let (_, _, profile) = profiles.part::<I>(block, part);
             let (places, offset, slope) = slopes.part::<I>(block, part);
             let gradient = scaled::<I, T, D>(&offset, slope * gradient_scale);
@@ -121,8 +121,8 @@ impl<T: Real, const D: usize> Job<T> for SumShapes<'_, T, D> {
             for part in 0..I::PARTS {
                 // on their own while they grow, so that they stay in registers
                 let mut sums = ShapeSums::<T, I::Reg, D>::EMPTY;
-                self.add::<I, true>(isa, &own, &spans[0], part, &mut sums);
-                self.add::<I, false>(isa, &own, &spans[1], part, &mut sums);
+                self.add::<I, true>(isa, &own, spans[0], part, &mut sums);
+                self.add::<I, false>(isa, &own, spans[1], part, &mut sums);
                 parts.as_mut()[part] = sums;
             }
             let sums = I::join_parts(
@@ -154,11 +154,11 @@ impl<T: Real, const D: usize> Job<T> for SumOfWalls<'_, T, D> {
     fn run<I: Isa<T>>(self, isa: I) {
         let Self { scheme, carried, contacts, walls, of_values, out } = self;
         for ((out, wall), spans) in out.iter_mut().zip(walls).zip(&contacts.spans) {
-            let blocks = contacts.blocks(&spans[0]);
+            let blocks = contacts.blocks(spans[0]);
             let mut parts = I::parts(I::Reg::EMPTY);
             for part in 0..I::PARTS {
                 let mut sum = I::Reg::EMPTY;
-                for block in 0..blocks.len() {
+                for block in 0..spans[0].blocks_of_part::<T, I>(part) {
                     let (velocity, value) = carried.at::<I, D>(isa, blocks.places::<I>(block, part));
                     if of_values {
                         (blocks.influence::<I>(block, part) * value).add_to(&mut sum);
@@ -195,9 +195,9 @@ impl<T: Real, const D: usize> Job<T> for SumPushes<'_, T, D> {
             let mut parts = I::parts([I::Reg::EMPTY; D]);
             for part in 0..I::PARTS {
                 let mut sums = [I::Reg::EMPTY; D];
-                for span in spans {
+                for &span in spans {
                     let blocks = contacts.blocks(span);
-                    for block in 0..blocks.len() {
+                    for block in 0..span.blocks_of_part::<T, I>(part) {
                         let gradient = blocks.gradient::<I>(block, part);
                         let (_, value) = carried.at::<I, D>(isa, blocks.places::<I>(block, part));
                         scheme.add_push::<I::Reg>(&mut sums, value, &gradient);
@@ -239,14 +239,14 @@ impl<T: Real, const D: usize> Job<T> for SumRates<'_, T, D> {
             let mut parts = I::parts([I::Reg::EMPTY; 2]);
             for part in 0..I::PARTS {
                 let [mut flow, mut from_walls] = [I::Reg::EMPTY; 2];
-                let blocks = contacts.blocks(&spans[0]);
-                for block in 0..blocks.len() {
+                let blocks = contacts.blocks(spans[0]);
+                for block in 0..spans[0].blocks_of_part::<T, I>(part) {
                     let gradient = blocks.gradient::<I>(block, part);
                     let (velocity, _) = carried.at::<I, D>(isa, blocks.places::<I>(block, part));
                     scheme.add_flow::<I::Reg>(&mut flow, &velocity, &gradient);
                 }
-                let blocks = contacts.blocks(&spans[1]);
-                for block in 0..blocks.len() {
+                let blocks = contacts.blocks(spans[1]);
+                for block in 0..spans[1].blocks_of_part::<T, I>(part) {
                     let (_, value) = carried.at::<I, D>(isa, blocks.places::<I>(block, part));
                     (blocks.influence::<I>(block, part) * value).add_to(&mut from_walls);
                 }

@@ -1,12 +1,10 @@
 //! The sums as jobs: each is compiled once for each instruction set.
 
-use std::ops::Range;
-
 use sph_core::Lane;
 use sph_core::fluid::wcsph::{ForceSums, Forces, Pair, RateSums, Seen, WallSums};
 
 use super::Host;
-use crate::engine::neighbourhoods::{Blocks, Neighbourhoods};
+use crate::engine::neighbourhoods::{Blocks, Neighbourhoods, Span};
 use crate::engine::records::ParticleRecords;
 use crate::fast::{Isa, Job, Real};
 
@@ -28,7 +26,7 @@ impl<T: Real, const D: usize> SumRates<'_, T, D> {
         &self,
         isa: I,
         own: &Seen<I::Reg, D>,
-        span: &Range<usize>,
+        span: Span,
         part: usize,
         sums: &mut RateSums<T, I::Reg>,
     ) {
@@ -37,7 +35,7 @@ impl<T: Real, const D: usize> SumRates<'_, T, D> {
         let gradient_scale = I::Reg::splat(self.gradient_scale);
         // a copy, which nothing else can write to: its numbers are loaded before the loop
         let scheme = *self.scheme;
-        for block in 0..blocks.len() {
+        for block in 0..span.blocks_of_part::<T, I>(part) {
             let (other, pair) = pair(isa, self.records, &blocks, block, part, gradient_scale, wanted);
             scheme.add_rate(sums, own, &other, &pair, FLUID);
         }
@@ -55,8 +53,8 @@ impl<T: Real, const D: usize> Job<T> for SumRates<'_, T, D> {
             for part in 0..I::PARTS {
                 // on their own while they grow, so that they stay in registers
                 let mut sums = RateSums::<T, I::Reg>::EMPTY;
-                self.add::<I, true>(isa, &own, &spans[0], part, &mut sums);
-                self.add::<I, false>(isa, &own, &spans[1], part, &mut sums);
+                self.add::<I, true>(isa, &own, spans[0], part, &mut sums);
+                self.add::<I, false>(isa, &own, spans[1], part, &mut sums);
                 parts.as_mut()[part] = sums;
             }
             let sums = I::join_parts(
@@ -86,7 +84,7 @@ impl<T: Real, const D: usize> SumForces<'_, T, D> {
         &self,
         isa: I,
         own: &Seen<I::Reg, D>,
-        span: &Range<usize>,
+        span: Span,
         part: usize,
         sums: &mut ForceSums<T, I::Reg, D>,
     ) {
@@ -95,7 +93,7 @@ impl<T: Real, const D: usize> SumForces<'_, T, D> {
         let gradient_scale = I::Reg::splat(self.gradient_scale);
         // a copy, which nothing else can write to: its numbers are loaded before the loop
         let scheme = *self.scheme;
-        for block in 0..blocks.len() {
+        for block in 0..span.blocks_of_part::<T, I>(part) {
             let (other, pair) = pair(isa, self.records, &blocks, block, part, gradient_scale, wanted);
             scheme.add_force(sums, own, &other, &pair, FLUID);
         }
@@ -113,8 +111,8 @@ impl<T: Real, const D: usize> Job<T> for SumForces<'_, T, D> {
             for part in 0..I::PARTS {
                 // on their own while they grow, so that they stay in registers
                 let mut sums = ForceSums::<T, I::Reg, D>::EMPTY;
-                self.add::<I, true>(isa, &own, &spans[0], part, &mut sums);
-                self.add::<I, false>(isa, &own, &spans[1], part, &mut sums);
+                self.add::<I, true>(isa, &own, spans[0], part, &mut sums);
+                self.add::<I, false>(isa, &own, spans[1], part, &mut sums);
                 parts.as_mut()[part] = sums;
             }
             let sums = I::join_parts(
@@ -142,11 +140,11 @@ impl<T: Real, const D: usize> Job<T> for SumWalls<'_, T, D> {
     fn run<I: Isa<T>>(self, isa: I) {
         let Self { scheme, records, near, out } = self;
         for (out, spans) in out.iter_mut().zip(&near.spans) {
-            let blocks = near.blocks(&spans[0], &near.profiles);
+            let blocks = near.blocks(spans[0], &near.profiles);
             let mut parts = I::parts(WallSums::<T, I::Reg, D>::EMPTY);
             for part in 0..I::PARTS {
                 let mut sums = WallSums::<T, I::Reg, D>::EMPTY;
-                for block in 0..blocks.len() {
+                for block in 0..spans[0].blocks_of_part::<T, I>(part) {
                     let (places, offset, weight) = blocks.part::<I>(block, part);
                     let other = records.seen_at(isa, places, [true, true, false, false]);
                     scheme.add_to_wall(&mut sums, &other, &offset, weight);
