@@ -129,7 +129,7 @@ fn a_deep_column_that_falls_onto_the_bed_is_noticed() {
     };
     let (scaled, not) = (pressed(4e-4), pressed(1e9));
     assert!(
-        scaled < 0.3 && not > 2.0 * scaled,
+        scaled < 0.2 && not > 1.8 * scaled,
         "the lower half falls by {scaled} of free fall, else by {not}"
     );
 }

@@ -81,7 +81,7 @@ pub struct Tuning<T> {
     pub opening: T,
     /// ω, one over the greatest eigenvalue, see [`Scheme::estimate_relaxation`].
     pub relaxation: T,
-    /// Spacings that the fastest particle moves in a step: 0.4.
+    /// Spacings that the fastest particle moves in a step: 0.6.
     pub courant: T,
     /// g Δt²/Δx at most: 0.003. It binds at rest, where nothing else does.
     pub acceleration: T,
@@ -96,7 +96,7 @@ impl<T: Scalar> Default for Tuning<T> {
             closing: T::ratio(1, 20),
             opening: T::ratio(1, 5),
             relaxation: T::ratio(1, 5),
-            courant: T::ratio(2, 5),
+            courant: T::ratio(3, 5),
             acceleration: T::ratio(3, 1000),
         }
     }

@@ -100,7 +100,7 @@ impl<T: Scalar, const D: usize, W: Influence<T, D>> Scheme<T, D, W> {
         progress
     }
 
-    /// One over the greatest eigenvalue of D⁻¹A, a fifth less to be safe, by 40 steps of power iteration: for
+    /// One over the greatest eigenvalue of D⁻¹A, a tenth less to be safe, by 40 steps of power iteration: for
     /// [`Tuning::relaxation`](super::Tuning::relaxation). Changes `trial`, `pushes` and `rates`.
     ///
     /// # Errors
@@ -111,7 +111,7 @@ impl<T: Scalar, const D: usize, W: Influence<T, D>> Scheme<T, D, W> {
     ) -> Result<T, Error> {
         self.prepare(particles)?;
         let eigenvalue = self.greatest_eigenvalue(particles)?;
-        Ok(if eigenvalue > T::ZERO { T::ratio(4, 5) / eigenvalue } else { self.tuning.relaxation })
+        Ok(if eigenvalue > T::ZERO { T::ratio(9, 10) / eigenvalue } else { self.tuning.relaxation })
     }
 
     fn greatest_eigenvalue<S: Summation<T, D, W>>(
