@@ -1,10 +1,10 @@
-//! Every case at three resolutions: the tables of `docs/validation.md`.
+//! Every case and solver at three resolutions: the tables of `docs/validation.md`.
 //!
 //! `cargo bench -p sph-host --bench validation`, with `-- NAME` for the case of that name alone. Takes some minutes.
 
 use std::error::Error;
 
-use sph_host::run::{self, CaseName, Options, Series};
+use sph_host::run::{self, CaseName, Options, Series, Solver};
 
 /// A case, its resolutions, and the column of the series that is compared with that of the finest.
 const CASES: [(CaseName, [u32; 3], &str); 5] = [
@@ -20,19 +20,21 @@ fn main() -> Result<(), Box<dyn Error>> {
     let wanted = std::env::args().skip(1).find(|word| word != "--bench");
     for (case, resolutions, column) in CASES {
         if wanted.as_ref().is_none_or(|name| *name == case.name()) {
-            report(case, resolutions, column)?;
+            for &solver in case.solvers() {
+                report(case, solver, resolutions, column)?;
+            }
         }
     }
     Ok(())
 }
 
 /// Prints the checks of three runs side by side, and how a column compares.
-fn report(case: CaseName, resolutions: [u32; 3], column: &str) -> Result<(), Box<dyn Error>> {
+fn report(case: CaseName, solver: Solver, resolutions: [u32; 3], column: &str) -> Result<(), Box<dyn Error>> {
     let [coarse, middle, fine] = resolutions;
-    println!("| {} | {coarse} | {middle} | {fine} | goal |\n|---|---|---|---|---|", case.name());
+    println!("| {case}, {solver} | {coarse} | {middle} | {fine} | goal |\n|---|---|---|---|---|");
     let mut runs = Vec::new();
     for resolution in resolutions {
-        let options = Options { resolution: Some(resolution), ..Options::new(case) };
+        let options = Options { resolution: Some(resolution), solver: Some(solver), ..Options::new(case) };
         let (summary, series) = run::simulate(&options, &())?;
         runs.push((summary, values(&series, column)));
     }

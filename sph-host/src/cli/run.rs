@@ -79,13 +79,15 @@ fn cases(is_so: impl Fn(CaseName) -> bool) -> String {
 
 fn solver_help() -> String {
     let usual = Solver::ALL[0];
-    let is_usual = |solver: &&Solver| CaseName::ALL.iter().any(|case| case.solvers()[0] == **solver);
-    let others = Solver::ALL[1..]
-        .iter()
-        .filter(is_usual)
-        .map(|&solver| format!("{solver} for {}", cases(|case| case.solvers()[0] == solver)));
+    let others = CaseName::ALL.iter().flat_map(|case| {
+        case.dimensions().into_iter().filter_map(move |dim| {
+            let solver = case.solver(dim).filter(|&solver| solver != usual)?;
+            let only = if case.dimensions().len() > 1 { format!(" in {dim}-D") } else { String::new() };
+            Some(format!("{solver} for {case}{only}"))
+        })
+    });
     let others: Vec<String> = others.collect();
-    format!("How it is simulated; without it, {} and {usual} for all others", others.join(", "))
+    format!("How it is simulated; without it, {}, else {usual}", others.join(", "))
 }
 
 fn dim_help() -> String {

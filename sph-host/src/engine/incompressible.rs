@@ -149,6 +149,11 @@ impl<T: Real, const D: usize> Incompressible<T, D> {
         Ok(())
     }
 
+    fn longest_step(&mut self) -> T {
+        let (scheme, particles) = self.particles();
+        scheme.longest_step(particles.greatest_speed())
+    }
+
     fn gravity_at(&self, time: f64) -> [T; D] {
         (self.gravity)(time).map(T::from_f64)
     }
@@ -167,16 +172,13 @@ impl<T: Real, const D: usize> Simulate<D> for Incompressible<T, D> {
     fn advance(&mut self, until: f64) -> Result<(), RunError> {
         while self.time < until {
             if self.unsorted == SORT_EVERY {
-                self.sort()?;
-                let (scheme, mut particles) = self.particles();
-                scheme.prepare(&mut particles)?;
+                self.prepare()?;
             }
             self.scheme.gravity = self.gravity_at(self.time);
             let left = until - self.time;
-            let (scheme, particles) = self.particles();
-            let longest = scheme.longest_step(particles.greatest_speed()).to_f64();
+            let longest = self.longest_step();
             // Equal steps for the rest of the way, so that the last one is not tiny.
-            let steps = (left / longest).ceil().max(1.0);
+            let steps = (left / longest.to_f64()).ceil().max(1.0);
             let dt = T::from_f64(left / steps);
             let time = if steps > 1.0 { self.time + dt.to_f64() } else { until };
             self.scheme.gravity = self.gravity_at(time);
@@ -185,6 +187,7 @@ impl<T: Real, const D: usize> Simulate<D> for Incompressible<T, D> {
             self.time = time;
             self.tally.steps += 1;
             self.tally.put_back += u64::from(outcome.put_back);
+            self.tally.iterations += u64::from(outcome.iterations);
             self.unsorted += 1;
         }
         Ok(())

@@ -144,7 +144,7 @@ impl<T: Compact, const D: usize> Simulate<D> for PositionBased<T, D> {
     }
 
     fn tally(&self) -> Tally {
-        Tally { steps: self.steps, put_back: 0 }
+        Tally { steps: self.steps, ..Tally::default() }
     }
 
     fn restore(&mut self, snapshot: &Snapshot<D>, tally: Tally) {

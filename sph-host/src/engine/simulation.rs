@@ -40,6 +40,8 @@ pub(crate) struct Tally {
     pub(crate) steps: u64,
     /// How often a particle was put back into the box.
     pub(crate) put_back: u64,
+    /// Iterations so far, of a solver that has any.
+    pub(crate) iterations: u64,
 }
 
 /// Why a run cannot go on.
@@ -245,7 +247,7 @@ impl<T: Real, const D: usize> Simulate<D> for Simulation<T, D> {
     }
 
     fn tally(&self) -> Tally {
-        Tally { steps: self.steps, put_back: 0 }
+        Tally { steps: self.steps, ..Tally::default() }
     }
 
     fn restore(&mut self, snapshot: &Snapshot<D>, tally: Tally) {

@@ -14,7 +14,7 @@ use crate::engine::{RunError, Setup, Simulate, Snapshot, Tally};
 use crate::progress::Progress;
 
 /// The last columns of the series: what was counted so far.
-pub(super) const COUNTS: [&str; 2] = ["put_back", "steps"];
+pub(super) const COUNTS: [&str; 3] = ["put_back", "iterations", "steps"];
 
 /// A case under way.
 pub(super) struct CaseRun<'a, const D: usize> {
@@ -133,8 +133,9 @@ impl<'a, const D: usize> CaseRun<'a, D> {
     ) -> Result<(), Error> {
         // The last columns have whole numbers.
         let counts = rows.last().and_then(|row| row.last_chunk());
-        let [put_back, steps] = counts.map_or([0; 2], |counts| counts.map(|count: f64| count as u64));
-        self.simulation.restore(last, Tally { steps, put_back });
+        let [put_back, iterations, steps] =
+            counts.map_or([0; 3], |counts| counts.map(|count: f64| count as u64));
+        self.simulation.restore(last, Tally { steps, put_back, iterations });
         self.simulation.prepare().map_err(Error::Begin)?;
         self.series.rows = rows;
         self.frames = frames;
@@ -193,8 +194,8 @@ impl<'a, const D: usize> CaseRun<'a, D> {
         row.extend(self.diagnostics.measure(&now));
         row.extend(self.case.measure(&now));
         row.extend(self.diagnostics.measure_last(&now));
-        let Tally { steps, put_back } = self.simulation.tally();
-        row.extend([put_back, steps].map(|count| count as f64));
+        let Tally { steps, put_back, iterations } = self.simulation.tally();
+        row.extend([put_back, iterations, steps].map(|count| count as f64));
         if let Some(column) = row.iter().position(|value| !value.is_finite()) {
             let column = self.series.columns.get(column).cloned().unwrap_or_default();
             return Err(Error::NotFinite { time: now.time, column });

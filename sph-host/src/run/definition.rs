@@ -20,7 +20,7 @@ pub(super) struct Definition {
     pub(super) plot: &'static str,
     /// The columns of the series that only this case has.
     pub(super) columns: &'static [&'static str],
-    /// The solvers that can simulate it, the default first.
+    /// The solvers that can simulate it.
     pub(super) solvers: &'static [Solver],
     /// The case in two dimensions.
     pub(super) in_2d: Option<Form<2>>,
@@ -32,6 +32,8 @@ pub(super) struct Definition {
 pub(super) struct Form<const D: usize> {
     /// The resolution unless another is asked for.
     pub(super) resolution: u32,
+    /// The solver unless another is asked for.
+    pub(super) solver: Solver,
     /// Builds the case with this many particles across.
     pub(super) build: fn(u32) -> Box<dyn Case<D>>,
 }

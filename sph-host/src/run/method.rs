@@ -24,11 +24,12 @@ impl Method {
     /// What is asked for, with defaults for the rest, where it can be had together.
     pub(super) fn choose(
         case: CaseName,
+        dim: usize,
         solver: Option<Solver>,
         scalar: Option<ScalarName>,
         kernel: Option<KernelName>,
     ) -> Result<Self, Error> {
-        let solver = solver.unwrap_or(case.solvers()[0]);
+        let solver = solver.or(case.solver(dim)).unwrap_or(Solver::ALL[0]);
         if !case.solvers().contains(&solver) {
             return Err(Error::SolverForCase { solver, case });
         }

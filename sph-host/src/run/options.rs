@@ -15,7 +15,7 @@ use crate::scalar_choice::ScalarName;
 pub struct Options {
     /// The case; else the first of [`CaseName::ALL`].
     pub case: Option<CaseName>,
-    /// The solver; else the first of [`CaseName::solvers`].
+    /// The solver; else [`CaseName::solver`].
     pub solver: Option<Solver>,
     /// Dimensions; else the first of [`CaseName::dimensions`].
     pub dim: Option<usize>,
@@ -118,7 +118,8 @@ impl Options {
         if !(least..=most).contains(&resolution) {
             return Err(Error::Resolution { found: resolution, least, most });
         }
-        let Method { solver, scalar, kernel } = Method::choose(case, self.solver, self.scalar, self.kernel)?;
+        let Method { solver, scalar, kernel } =
+            Method::choose(case, dim, self.solver, self.scalar, self.kernel)?;
         let time = self.time.unwrap_or_else(|| case.duration());
         let every = self.every.unwrap_or(time / FRAMES);
         if every > time * (1.0 + 1e-12) {

@@ -100,6 +100,7 @@ fn measured<const D: usize>(run: &CaseRun<D>, last: &Snapshot<D>, wall: f64) -> 
         ("wall_particles", json!(run.setup.walls.len())),
         ("steps", json!(steps)),
         ("put_back", json!(run.tally().put_back)),
+        ("iterations", json!(run.tally().iterations)),
         ("simulated_s", json!(last.time)),
         ("wall_s", json!(wall)),
         ("particle_steps_per_s", json!(work / wall.max(1e-9))),

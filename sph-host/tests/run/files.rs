@@ -76,11 +76,10 @@ fn assert_pictures_agree(folder: &Folder, case: &str, k: usize) {
 #[test]
 fn the_summary_says_what_was_done_and_agrees_with_the_series() {
     let folder = Folder::new();
-    folder
-        .succeed("run --resolution 8 --time 0.05 --every 0.02 --out dam --kernel cubic-spline --scalar f32");
+    folder.succeed("run --resolution 8 --time 0.05 --every 0.02 --out dam --kernel cubic-spline");
     let summary = summary(&folder, "dam");
     for (name, value) in
-        [("case", "dam-break"), ("solver", "wcsph"), ("scalar", "f32"), ("kernel", "cubic-spline")]
+        [("case", "dam-break"), ("solver", "incompressible"), ("scalar", "f32"), ("kernel", "cubic-spline")]
     {
         assert_eq!(summary[name], value);
     }

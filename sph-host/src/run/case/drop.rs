@@ -21,7 +21,11 @@ pub(super) static CASE: Definition = Definition {
     plot: "semi_axes.png",
     columns: &["semi_axis_x", "semi_axis_y"],
     solvers: &[Solver::Wcsph, Solver::Incompressible],
-    in_2d: Some(Form { resolution: 40, build: |resolution| Box::new(Drop { resolution }) }),
+    in_2d: Some(Form {
+        resolution: 40,
+        solver: Solver::Wcsph,
+        build: |resolution| Box::new(Drop { resolution }),
+    }),
     in_3d: None,
 };
 

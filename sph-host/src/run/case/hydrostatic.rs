@@ -19,7 +19,11 @@ pub(super) static CASE: Definition = Definition {
     plot: "pressure.png",
     columns: &["pressure_error", "smoothed_pressure_error", "lowest_row_error"],
     solvers: &[Solver::Wcsph, Solver::Incompressible],
-    in_2d: Some(Form { resolution: 40, build: |resolution| Box::new(Hydrostatic { resolution }) }),
+    in_2d: Some(Form {
+        resolution: 40,
+        solver: Solver::Wcsph,
+        build: |resolution| Box::new(Hydrostatic { resolution }),
+    }),
     in_3d: None,
 };
 

@@ -23,7 +23,11 @@ pub(super) static CASE: Definition = Definition {
     plot: "profile.png",
     columns: &["profile_error"],
     solvers: &[Solver::Wcsph],
-    in_2d: Some(Form { resolution: 40, build: |resolution| Box::new(Poiseuille { resolution }) }),
+    in_2d: Some(Form {
+        resolution: 40,
+        solver: Solver::Wcsph,
+        build: |resolution| Box::new(Poiseuille { resolution }),
+    }),
     in_3d: None,
 };
 

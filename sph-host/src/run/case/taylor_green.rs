@@ -20,7 +20,11 @@ pub(super) static CASE: Definition = Definition {
     plot: "decay.png",
     columns: &["decay_error", "velocity_error"],
     solvers: &[Solver::Wcsph],
-    in_2d: Some(Form { resolution: 50, build: |resolution| Box::new(TaylorGreen { resolution }) }),
+    in_2d: Some(Form {
+        resolution: 50,
+        solver: Solver::Wcsph,
+        build: |resolution| Box::new(TaylorGreen { resolution }),
+    }),
     in_3d: None,
 };
 

@@ -20,7 +20,11 @@ pub(super) static CASE: Definition = Definition {
     plot: "tilt.png",
     columns: &["fluid_height", "centre_offset"],
     solvers: &[Solver::Pbf, Solver::Wcsph, Solver::Incompressible],
-    in_2d: Some(Form { resolution: 32, build: |resolution| Box::new(Tilt { resolution }) }),
+    in_2d: Some(Form {
+        resolution: 32,
+        solver: Solver::Pbf,
+        build: |resolution| Box::new(Tilt { resolution }),
+    }),
     in_3d: None,
 };
 
