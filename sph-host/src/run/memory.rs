@@ -2,18 +2,29 @@
 
 use super::definition::Form;
 use super::error::Error;
+use super::solver::Solver;
 use crate::memory;
 
-/// Bytes for each particle of fluid or wall: WCSPH was measured to take 650 (three dimensions) to 770 (two).
-const BYTES_A_PARTICLE: f64 = 600.0;
+/// Bytes for each particle of fluid or wall. Measured: 650 (three dimensions) to 770 (two) with WCSPH, 1100 to 1150 with the
+/// incompressible solver, which keeps all pairs for a step.
+fn bytes_a_particle(solver: Solver) -> f64 {
+    match solver {
+        Solver::Incompressible => 1000.0,
+        Solver::Wcsph | Solver::Pbf => 600.0,
+    }
+}
 
 /// The resolution of which particles are counted, and twice it, to know those of another.
 const PROBE: u32 = 16;
 
 /// Refuses a case whose particles cannot fit in memory.
-pub(super) fn refuse_oversize<const D: usize>(form: &Form<D>, resolution: u32) -> Result<(), Error> {
+pub(super) fn refuse_oversize<const D: usize>(
+    form: &Form<D>,
+    resolution: u32,
+    solver: Solver,
+) -> Result<(), Error> {
     let particles = particles(form, resolution);
-    let needed = particles * BYTES_A_PARTICLE;
+    let needed = particles * bytes_a_particle(solver);
     let Some(available) = memory::short_of(needed) else { return Ok(()) };
     Err(Error::TooLarge { resolution, dim: D, particles, needed, available })
 }
@@ -55,7 +66,7 @@ mod tests {
     #[test]
     fn what_no_memory_holds_is_refused() {
         let form = CaseName::DamBreak.definition().in_3d.as_ref().unwrap();
-        let refused = refuse_oversize(form, 100_000).unwrap_err().to_string();
+        let refused = refuse_oversize(form, 100_000, Solver::Incompressible).unwrap_err().to_string();
         assert!(refused.contains("100000") && refused.contains("GB"), "{refused}");
     }
 }

@@ -123,7 +123,7 @@ fn simulate_form<const D: usize>(
     destination: Option<&Destination>,
     progress: &dyn Progress,
 ) -> Result<(Summary, Series), Error> {
-    memory::refuse_oversize(form, parameters.resolution)?;
+    memory::refuse_oversize(form, parameters.resolution, parameters.solver)?;
     let case = (form.build)(parameters.resolution);
     let mut run = CaseRun::new(&*case, parameters)?;
     let start = Instant::now();
