@@ -7,8 +7,9 @@ use std::error::Error;
 use sph_host::run::{self, CaseName, Options, Series, Solver};
 
 /// A case, its resolutions, and the column of the series that is compared with that of the finest.
-const CASES: [(CaseName, [u32; 3], &str); 5] = [
+const CASES: [(CaseName, [u32; 3], &str); 6] = [
     (CaseName::DamBreak, [20, 40, 80], "front_x"),
+    (CaseName::Impact, [20, 40, 80], "wall_pressure"),
     (CaseName::Hydrostatic, [20, 40, 80], "pressure_error"),
     (CaseName::Drop, [20, 40, 80], "semi_axis_y"),
     (CaseName::TaylorGreen, [25, 50, 100], "velocity_error"),

@@ -1,33 +1,48 @@
-//! Published numbers that the dam break is compared with.
+//! Published numbers that dam breaks are compared with.
 
-/// Points (T, Z) of one series of the surge front.
+/// Points (T, value) of one series.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Front {
-    pub(super) series: &'static str,
-    pub(super) points: Vec<[f64; 2]>,
+struct Published {
+    series: &'static str,
+    points: Vec<[f64; 2]>,
 }
 
-/// The file with its sources.
+/// Surge fronts (T, Z), with their sources.
 const FRONTS: &str = include_str!("data/dam_break_front.csv");
 
-/// The series of the surge front, each with its points in the order of time.
-pub(super) fn fronts() -> Vec<Front> {
-    let mut fronts: Vec<Front> = Vec::new();
-    for line in FRONTS.lines().filter(|line| !line.starts_with('#')) {
+/// Pressures on a wall (T, P), with their sources.
+const PRESSURES: &str = include_str!("data/impact_pressure.csv");
+
+/// The series of a file, each with its points in the order of time.
+fn series_of(file: &'static str) -> Vec<Published> {
+    let mut all: Vec<Published> = Vec::new();
+    for line in file.lines().filter(|line| !line.starts_with('#')) {
         let mut cells = line.split(',');
         let (Some(series), Some(t), Some(z)) = (cells.next(), cells.next(), cells.next()) else { continue };
         let (Ok(t), Ok(z)) = (t.parse(), z.parse()) else { continue };
-        match fronts.last_mut().filter(|front| front.series == series) {
-            Some(front) => front.points.push([t, z]),
-            None => fronts.push(Front { series, points: vec![[t, z]] }),
+        match all.last_mut().filter(|known| known.series == series) {
+            Some(known) => known.points.push([t, z]),
+            None => all.push(Published { series, points: vec![[t, z]] }),
         }
     }
-    fronts
+    all
 }
 
-/// The points of one series; none where there is no such series.
+fn points(file: &'static str, series: &str) -> Vec<[f64; 2]> {
+    series_of(file)
+        .into_iter()
+        .find(|known| known.series == series)
+        .map_or_else(Vec::new, |known| known.points)
+}
+
+/// The points of one surge front; none where there is no such series.
 pub(super) fn front(series: &str) -> Vec<[f64; 2]> {
-    fronts().into_iter().find(|front| front.series == series).map_or_else(Vec::new, |front| front.points)
+    points(FRONTS, series)
+}
+
+/// Buchner's pressure on the wall.
+pub(super) fn impact() -> Vec<[f64; 2]> {
+    points(PRESSURES, "buchner")
 }
 
 /// Root mean square of Z/Z_reference − 1 over the reference's points with T > 0 and Z ≤ 4; `None` where `z_at` does not have them all.
@@ -62,7 +77,8 @@ mod tests {
 
     #[test]
     fn all_numbers_are_there_and_in_order() {
-        let lengths: Vec<_> = fronts().iter().map(|front| (front.series, front.points.len())).collect();
+        let lengths: Vec<_> =
+            series_of(FRONTS).iter().map(|front| (front.series, front.points.len())).collect();
         let expected = [
             ("martin_moyce_1.125in", 10),
             ("martin_moyce_2.25in", 15),
@@ -70,11 +86,15 @@ mod tests {
             ("koshizuka_oka_mps", 18),
         ];
         assert_eq!(lengths, expected);
-        for front in fronts() {
+        for front in series_of(FRONTS) {
             assert!(front.points.is_sorted_by(|a, b| a[0] < b[0] && a[1] < b[1]), "{}", front.series);
         }
         assert_eq!(front("koshizuka_oka_mps").last(), Some(&[2.943, 3.997]));
+        let pressures = impact();
+        assert_eq!((pressures.len(), pressures.last()), (45, Some(&[5.692, 0.633])));
+        assert!(pressures.is_sorted_by(|a, b| a[0] < b[0]));
     }
+
     #[test]
     fn koshizuka_and_oka_compute_what_is_13_8_percent_from_their_experiment() {
         assert!(

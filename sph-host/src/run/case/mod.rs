@@ -32,6 +32,7 @@ macro_rules! cases {
 
 cases! {
     DamBreak in dam_break, "dam-break", "a column of water collapses on a dry bed; front against Koshizuka & Oka (1996)";
+    Impact in impact, "impact", "a dam break that hits a wall; pressure there against Buchner's experiment (2002)";
     Hydrostatic in hydrostatic, "hydrostatic", "water at rest in a tank; pressure against ρ g (H − z)";
     Drop in drop, "drop", "a round drop stretched to an ellipse (Monaghan 1994); semi-axes against the exact ones";
     TaylorGreen in taylor_green, "taylor-green", "decaying periodic vortices at Re 100; energy against the exact decay";
