@@ -79,14 +79,19 @@ fn cases(is_so: impl Fn(CaseName) -> bool) -> String {
 
 fn solver_help() -> String {
     let usual = Solver::ALL[0];
-    let others = CaseName::ALL.iter().flat_map(|case| {
-        case.dimensions().into_iter().filter_map(move |dim| {
-            let solver = case.solver(dim).filter(|&solver| solver != usual)?;
-            let only = if case.dimensions().len() > 1 { format!(" in {dim}-D") } else { String::new() };
-            Some(format!("{solver} for {case}{only}"))
-        })
-    });
-    let others: Vec<String> = others.collect();
+    let of_solver = |solver: Solver| {
+        let forms = CaseName::ALL.iter().flat_map(|case| {
+            let dimensions =
+                case.dimensions().into_iter().filter(move |&dim| case.solver(dim) == Some(solver));
+            dimensions.map(move |dim| match case.dimensions().len() {
+                1 => case.to_string(),
+                _ => format!("{case} in {dim}-D"),
+            })
+        });
+        let forms: Vec<String> = forms.collect();
+        (!forms.is_empty()).then(|| format!("{solver} for {}", forms.join(" and ")))
+    };
+    let others: Vec<String> = Solver::ALL[1..].iter().copied().filter_map(of_solver).collect();
     format!("How it is simulated; without it, {}, else {usual}", others.join(", "))
 }
 

@@ -17,7 +17,7 @@ fn the_list_names_every_case() {
     let help = help.split_whitespace().collect::<Vec<_>>().join(" ");
     for word in [
         "--solver",
-        "incompressible for dam-break in 2-D, pbf for tilt, else wcsph",
+        "incompressible for dam-break in 2-D and impact, pbf for tilt, else wcsph",
         "3 for dam-break",
         "8 to 2000, in three dimensions to 256",
         "20 for dam-break in three dimensions",
