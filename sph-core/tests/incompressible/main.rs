@@ -2,4 +2,5 @@
 
 mod operators;
 mod rest;
+mod solution;
 mod support;
