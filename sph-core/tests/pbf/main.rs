@@ -4,6 +4,7 @@ mod bounds;
 mod containers;
 mod escape;
 mod measure;
+mod shapes;
 
 use measure::{at, block, dam_break, drift};
 use sph_core::fluid::{
