@@ -91,6 +91,18 @@ fn momentum_and_restarts_take_the_iterations_they_are_known_to_take() {
 }
 
 #[test]
+fn a_step_begins_with_the_pressures_of_the_one_before() {
+    let next = |forget: bool| {
+        let (mut fluid, _) = fallen(1e-6);
+        if forget {
+            fluid.pressures.fill(0.0);
+        }
+        fluid.step(4e-3).unwrap().iterations
+    };
+    assert_eq!((next(false), next(true)), (57, 64));
+}
+
+#[test]
 fn iterations_have_a_least_and_a_most() {
     let iterations = |least: u32, most: u32| {
         let mut fluid = Fluid::<f64, 2>::new([6, 12], Some([6, 14]), 9.81);
