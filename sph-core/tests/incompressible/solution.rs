@@ -119,3 +119,16 @@ fn iterations_have_a_least_and_a_most() {
     assert!((30..=40).contains(&first), "{first}");
     assert_eq!(iterations(40, 40), (40, 40));
 }
+
+#[test]
+fn spray_falls_freely_whatever_its_pressure_was() {
+    let mut fluid = Fluid::<f64, 2>::new([2, 1], None, 9.81);
+    fluid.prepare();
+    assert!(fluid.shapes.iter().all(|shape| shape.density < 0.5));
+    fluid.pressures.fill(1000.0);
+    fluid.step(2e-3).unwrap();
+    for (velocity, pressure) in fluid.velocities.iter().zip(&fluid.pressures) {
+        assert_eq!((velocity[0], *pressure), (0.0, 0.0));
+        assert!((velocity[1] + 9.81 * 2e-3).abs() < 1e-15, "{}", velocity[1]);
+    }
+}
